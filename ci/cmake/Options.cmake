@@ -1,0 +1,24 @@
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+option(SANDGLASS_NATIVE "Use every instruction of the machine that builds" ON)
+option(SANDGLASS_WARNINGS_AS_ERRORS "Stop at a compiler warning (CI does)" OFF)
+option(SANDGLASS_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+add_library(sandglass_options INTERFACE)
+target_include_directories(sandglass_options INTERFACE "${CMAKE_SOURCE_DIR}")
+# Contraction to fused multiply-add would make results depend on the compiler's mood: bitwise claims need it off.
+target_compile_options(sandglass_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
+  -fno-math-errno -fno-trapping-math
+  $<$<BOOL:${SANDGLASS_NATIVE}>:-march=native>
+  $<$<BOOL:${SANDGLASS_WARNINGS_AS_ERRORS}>:-Werror>)
+if(SANDGLASS_SANITIZE)
+  target_compile_options(sandglass_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(sandglass_options INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,28 @@
+include(GoogleTest)
+
+# sandglass_room(NAME [USES room...] [LINKS target...])
+# A room is a folder of the house: every *.cpp beside the call becomes the library sandglass_NAME, every
+# *_test.cpp the program test_NAME. USES lists the rooms that it may see: the allowed arrows and no others.
+function(sandglass_room name)
+  cmake_parse_arguments(ROOM "" "" "USES;LINKS" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "*.cpp")
+  set(tests ${sources})
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(TRANSFORM ROOM_USES PREPEND sandglass_)
+  if(sources)
+    add_library(sandglass_${name} STATIC ${sources})
+    target_link_libraries(sandglass_${name} PUBLIC sandglass_options ${ROOM_USES} ${ROOM_LINKS})
+  else()
+    add_library(sandglass_${name} INTERFACE)
+    target_link_libraries(sandglass_${name} INTERFACE sandglass_options ${ROOM_USES} ${ROOM_LINKS})
+  endif()
+  if(tests)
+    add_executable(test_${name} ${tests})
+    target_link_libraries(test_${name} PRIVATE sandglass_${name} GTest::gtest_main GTest::gmock)
+    target_compile_definitions(test_${name} PRIVATE SANDGLASS_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
+      PROPERTIES TIMEOUT 300
+      ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;ASAN_OPTIONS=detect_leaks=0")
+  endif()
+endfunction()
