@@ -1,0 +1,82 @@
+"""The two commands refuse bad input at once, with the allowed words and the nearest spelling, and install nothing."""
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+CI = Path(__file__).resolve().parents[1]
+
+
+def run(*command, **environment):
+    return subprocess.run([str(word) for word in command], capture_output=True, text=True, env=os.environ | environment)
+
+
+def shell(script, **environment):
+    return run("bash", "-c", f"source {CI}/lib.sh; {script}", **environment)
+
+
+@pytest.mark.parametrize("command", ["test", "validate"])
+def test_help(command):
+    done = run(CI / command, "--help")
+    assert done.returncode == 0
+    assert done.stdout.startswith(f"usage: ci/{command}")
+
+
+@pytest.mark.parametrize("arguments, complaint", [
+    (["validate", "--tier", "smok"], "unknown tier 'smok'; did you mean 'smoke'? (allowed: smoke standard paper)"),
+    (["validate", "--tier=hour"], "unknown tier 'hour' (allowed: smoke standard paper)"),
+    (["validate", "--teir", "smoke"], "unknown option '--teir'; did you mean '--tier'?"),
+    (["validate", "--tier"], "--tier needs a value"),
+    (["validate", "--jobs", "0"], "--jobs 0: a whole number from 1"),
+    (["test", "--no-instal"], "unknown option '--no-instal'; did you mean '--no-install'?"),
+])
+def test_bad_input(arguments, complaint):
+    done = run(CI / arguments[0], *arguments[1:])
+    assert done.returncode == 2
+    assert complaint in done.stderr
+
+
+@pytest.mark.parametrize("a, b, distance", [("", "abc", 3), ("abc", "", 3), ("kitten", "sitting", 3), ("tier", "tier", 0)])
+def test_edit_distance(a, b, distance):
+    assert shell(f"edit_distance '{a}' '{b}'").stdout == f"{distance}\n"
+
+
+def fake_dpkg(folder, *installed):
+    """A dpkg-query that knows of `installed` alone."""
+    program = folder / "dpkg-query"
+    program.write_text("#!/bin/sh\n" + "".join(f"echo '{name} installed'\n" for name in installed) + "exit 1\n")
+    program.chmod(0o755)
+    return f"{folder}:{os.environ['PATH']}"
+
+
+def test_missing_packages_are_named_and_not_installed(tmp_path):
+    done = shell("install_packages no format", PATH=fake_dpkg(tmp_path, "cmake"))
+    assert done.returncode == 2
+    assert "apt-get install --no-install-recommends clang-format-14" in done.stderr
+
+
+def test_nothing_missing_is_silent(tmp_path):
+    done = shell("apt() { echo called; }; install_packages yes format", PATH=fake_dpkg(tmp_path, "clang-format-14"))
+    assert (done.returncode, done.stdout) == (0, "")
+
+
+def test_package_lists_are_tried_twice(tmp_path):
+    done = shell("sleep() { :; }; apt() { echo try; false; }; update_package_lists || echo gave up")
+    assert done.stdout.split("\n") == ["try", "try", "gave up", ""]
+
+
+def test_python_without_the_modules_is_passed_over(tmp_path):
+    barren = tmp_path / "python3"
+    barren.write_text("#!/bin/sh\nexit 1\n")
+    barren.chmod(0o755)
+    done = shell("find_python json", SANDGLASS_PYTHON=str(barren))
+    assert done.returncode == 0
+    assert done.stdout.strip() not in ("", str(barren))
+
+
+def test_failed_step_shows_the_end_of_its_log(tmp_path):
+    done = shell(f"logs={tmp_path}; step try 'trying' bash -c 'echo first; echo last >&2; exit 7'")
+    assert done.returncode == 7
+    assert done.stdout.startswith("trying ... failed with exit code 7")
+    assert done.stdout.endswith("  | first\n  | last\n")
