@@ -43,6 +43,7 @@ struct Evidence {
   std::string units;
   double value = 0;
   double standard_error = 0;
+  double degrees_of_freedom = 0;  ///< of the standard error (Student's t); 0 when it is known, not estimated
   double expected = 0;
   Budget budget;
   int comparisons = 1;     ///< independent comparisons behind the value (largest of k deviations, say)

@@ -1,0 +1,80 @@
+#include "validation/judge/judge.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace sandglass {
+namespace {
+
+constexpr double two_sigma = 0.0455002638963584;  // probability beyond two standard errors, either side
+
+Evidence evidence(double value, double standard_error, double expected) {
+  Evidence result;
+  result.value = value;
+  result.standard_error = standard_error;
+  result.expected = expected;
+  return result;
+}
+
+Verdict verdict(const Evidence& found, bool known_limit = false) {
+  return judge(found, Confidence{two_sigma}, known_limit).verdict;
+}
+
+TEST(Judge, BudgetIsSystematicPlusErrorsInQuadrature) {
+  Evidence found = evidence(1, 0.3, 1);
+  found.budget.reference = 0.4;
+  found.budget.systematic = 0.25;
+  EXPECT_NEAR(judge(found, Confidence{two_sigma}, false).budget, 1.25, 1e-9);
+}
+
+TEST(Judge, InsidePassesOutsideFails) {
+  EXPECT_EQ(verdict(evidence(1.19, 0.1, 1)), Verdict::pass);
+  EXPECT_EQ(verdict(evidence(0.79, 0.1, 1)), Verdict::fail);
+}
+
+TEST(Judge, ExactComparisonNeedsNoError) {
+  EXPECT_EQ(verdict(evidence(1, 0, 1)), Verdict::pass);
+  EXPECT_EQ(verdict(evidence(1.0000001, 0, 1)), Verdict::fail);
+}
+
+TEST(Judge, KnownLimitMustFail) {
+  EXPECT_EQ(verdict(evidence(2, 0.1, 1), true), Verdict::expected_fail);
+  EXPECT_EQ(verdict(evidence(1, 0.1, 1), true), Verdict::unexpected_pass);
+}
+
+TEST(Judge, WideErrorBarIsInconclusive) {
+  Evidence found = evidence(1, 0.1, 1);
+  found.budget.resolution = 0.19;
+  EXPECT_EQ(verdict(found), Verdict::inconclusive);
+  EXPECT_EQ(verdict(found, true), Verdict::inconclusive);
+  found.budget.resolution = 0.21;
+  EXPECT_EQ(verdict(found), Verdict::pass);
+}
+
+TEST(Judge, NotFiniteIsInconclusive) {
+  const double bad = std::nan("");
+  EXPECT_EQ(verdict(evidence(bad, 0.1, 1)), Verdict::inconclusive);
+  EXPECT_EQ(verdict(evidence(1, bad, 1)), Verdict::inconclusive);
+  EXPECT_EQ(verdict(evidence(1, 0.1, std::numeric_limits<double>::infinity())), Verdict::inconclusive);
+}
+
+TEST(Judge, FewDegreesOfFreedomWidenTheBudget) {
+  Evidence found = evidence(1, 0.1, 1);
+  const double known = judge(found, Confidence{1e-4}, false).budget;
+  found.degrees_of_freedom = 4;
+  EXPECT_NEAR(known, 0.1 * 3.8906, 1e-4);
+  EXPECT_NEAR(judge(found, Confidence{1e-4}, false).budget, 0.1 * 13.034, 1e-3);  // t tables, 4 degrees
+}
+
+TEST(Judge, NamesAndBlocking) {
+  EXPECT_EQ(to_string(Verdict::unexpected_pass), "unexpected-pass");
+  EXPECT_FALSE(blocks(Verdict::pass));
+  EXPECT_FALSE(blocks(Verdict::expected_fail));
+  EXPECT_TRUE(blocks(Verdict::inconclusive));
+  EXPECT_TRUE(blocks(Verdict::unexpected_pass));
+}
+
+}  // namespace
+}  // namespace sandglass
