@@ -1,0 +1,108 @@
+#include <cmath>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "sim/method/dsmc/dsmc.hpp"
+
+// Particle-moves per second of the DSMC kernel: 10 particles per cell of two thirds of a mean free path, 0.06 collisions
+// per particle-move, elastic, periodic; then the same with one feature at a time.
+
+namespace sandglass::dsmc {
+namespace {
+
+constexpr double kPerCell = 10;
+constexpr double kCollisionsPerMove = 0.06;
+
+struct Feature {
+  bool factor = false, gravity = false, walls = false, ids = false, transfer = false, plane = false;
+  Offset offset{};
+};
+
+template <int D>
+std::vector<Phase<D>> gas(std::size_t count, double edge) {
+  std::vector<Phase<D>> particles(count);
+  const StreamKey key(1, Purpose::positions, 0, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    Random random(key, i);
+    for (int axis = 0; axis < D; ++axis) {
+      particles[i].position[axis] = edge * random.uniform();
+      double normal = -6;
+      for (int draw = 0; draw < 12; ++draw) normal += random.uniform();
+      particles[i].velocity[axis] = normal;
+    }
+  }
+  return particles;
+}
+
+/// Number density and time step that make cells two thirds of a mean free path at the wanted collision rate.
+template <int D>
+void moves(benchmark::State& state, Feature feature) {
+  const auto wanted = static_cast<double>(state.range(0));
+  const auto edge_cells = static_cast<std::uint32_t>(std::lround(std::pow(wanted / kPerCell, 1.0 / D)));
+  std::array<std::uint32_t, D> cells;
+  cells.fill(edge_cells);
+  const auto count = static_cast<std::size_t>(kPerCell * std::pow(edge_cells, D));
+  const Grid<D> grid(Vector<D>::Constant(edge_cells), cells);
+  // n sigma lambda sqrt(2) = 1 with lambda = 1.5 cells.
+  Parameters parameters;
+  parameters.cross_section = 1 / (std::sqrt(2.0) * 1.5 * kPerCell);
+  parameters.diameter = D == 2 ? parameters.cross_section / 2 : std::sqrt(parameters.cross_section / M_PI);
+  const double mean_speed = D == 2 ? std::sqrt(M_PI / 2) : std::sqrt(8 / M_PI);
+  const double rate = std::sqrt(2.0) * kPerCell * parameters.cross_section * mean_speed;
+  const double dt = 2 * kCollisionsPerMove / rate;
+
+  MotionParameters<D> motion;
+  std::vector<Plane> planes;
+  if (feature.plane) planes.push_back({0, 0.5 * edge_cells, {}}), motion.planes = &planes;
+  if (feature.gravity) motion.gravity[D - 1] = -1e-4;
+  if (feature.walls) motion.walled[D - 1] = true;
+  if (feature.factor) parameters.factor.formula = contact_formula(D);
+  parameters.offset = {feature.offset.consistent * parameters.diameter, feature.offset.random * parameters.diameter};
+  motion.offsets = parameters.offset.any();
+  parameters.measure_transfer = feature.transfer;
+  Dsmc<D> dsmc(grid, parameters, motion, feature.ids);
+  dsmc.assign(gas<D>(count, edge_cells));
+  std::uint64_t step = 0;
+  for (; step < 3; ++step) dsmc.step(dt, StreamKey(1, Purpose::collisions, 0, step));
+  dsmc.tally() = Tally{};
+  for (auto _ : state) {
+    dsmc.step(dt, StreamKey(1, Purpose::collisions, 0, step++));
+    if (feature.plane) planes[0].velocities.clear();
+  }
+  const auto steps = static_cast<double>(state.iterations());
+  state.counters["moves_per_second"] = benchmark::Counter(steps * static_cast<double>(count), benchmark::Counter::kIsRate);
+  state.counters["collisions_per_second"] =
+      benchmark::Counter(static_cast<double>(dsmc.tally().collisions), benchmark::Counter::kIsRate);
+  state.counters["collisions_per_move"] = static_cast<double>(dsmc.tally().collisions) / static_cast<double>(dsmc.tally().moves);
+  state.counters["bytes_per_particle"] = static_cast<double>(dsmc.bytes()) / static_cast<double>(count);
+}
+
+template <int D>
+void register_features(const std::string& prefix) {
+  const auto add = [&](const char* name, Feature feature, std::initializer_list<std::int64_t> sizes) {
+    auto* bench = benchmark::RegisterBenchmark((prefix + name).c_str(),
+                                               [feature](benchmark::State& state) { moves<D>(state, feature); });
+    for (std::int64_t size : sizes) bench->Arg(size);
+    bench->Unit(benchmark::kMillisecond);
+  };
+  add("plain", {}, {100'000, 1'000'000, 10'000'000});
+  const std::initializer_list<std::int64_t> one = {100'000};
+  add("contact_factor", {.factor = true}, one);
+  add("offset", {.offset = {1, 0}}, one);
+  add("offset_measured", {.transfer = true, .offset = {1, 0}}, one);
+  add("offset_random", {.offset = {1, 0.5}}, one);
+  add("gravity_between_walls", {.gravity = true, .walls = true}, one);
+  add("walls", {.walls = true}, one);
+  add("ids", {.ids = true}, one);
+  add("plane", {.plane = true}, one);
+}
+
+const bool registered = [] {
+  register_features<3>("3d_");
+  register_features<2>("2d_");
+  return true;
+}();
+
+}  // namespace
+}  // namespace sandglass::dsmc

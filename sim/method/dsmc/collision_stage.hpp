@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "sim/base/random.hpp"
+#include "sim/method/dsmc/parameters.hpp"
+#include "sim/observe/tally.hpp"
+#include "sim/space/particle_store.hpp"
+
+namespace sandglass::dsmc {
+
+/// What changes from step to step.
+template <int D>
+struct CollisionStep {
+  StreamKey key;
+  double coefficient;        ///< weight sigma dt / (2 V_cell): candidates per ordered pair and unit of relative speed
+  const double* factor;      ///< contact factor of each cell; null without
+  Phase<D>* particles;
+  const std::uint32_t* offsets;
+  Tally* tally;
+};
+
+/// Collides the particles of a range of cells. One implementation per combination of policies, chosen once at assembly.
+template <int D>
+class CollisionStage {
+ public:
+  virtual ~CollisionStage() = default;
+  virtual void collide(const CollisionStep<D>& step, std::uint32_t first_cell, std::uint32_t last_cell) const = 0;
+};
+
+template <int D>
+std::unique_ptr<CollisionStage<D>> make_collision_stage(const Parameters& parameters);
+
+/// The same kernel with planted faults. Kept out of the honest kernel: it costs branches.
+template <int D>
+std::unique_ptr<CollisionStage<D>> make_faulty_collision_stage(const Parameters& parameters);
+
+}  // namespace sandglass::dsmc

@@ -1,0 +1,44 @@
+#include "sim/method/dsmc/local_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandglass::dsmc {
+
+namespace {
+double particle_volume(int dimension, double diameter) {
+  return dimension == 2 ? M_PI / 4 * diameter * diameter : M_PI / 6 * std::pow(diameter, 3);
+}
+constexpr double kWindowParticles = 100;
+}  // namespace
+
+template <int D>
+LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const Grid<D>& grid,
+                                          const std::array<bool, D>& periodic, double particles)
+    : formula_(parameters.factor.formula),
+      smoothed_(parameters.factor.smoothed),
+      fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) / grid.cell_volume()),
+      densest_(D == 2 ? M_PI / std::sqrt(12.0) : M_PI / std::sqrt(18.0)),
+      window_(grid, periodic, particles / grid.size(), smoothed_ ? kWindowParticles : 0),
+      factor_(grid.size()) {}
+
+template <int D>
+double LocalContactFactor<D>::smoothed(std::uint32_t cell) const {
+  const double quantum = fraction_per_particle_ / window_.cells(cell);
+  const double fraction = std::clamp((window_.sum(cell) - 2) * quantum, 0.0, densest_);
+  const ContactValue contact = formula_(fraction);
+  return std::max(0.0, contact.value - 0.5 * contact.second_derivative * fraction * quantum);
+}
+
+template <int D>
+void LocalContactFactor<D>::update(std::span<const std::uint32_t> offsets) {
+  window_.update(offsets);
+  for (std::uint32_t cell = 0; cell < factor_.size(); ++cell)
+    factor_[cell] = smoothed_ ? smoothed(cell)
+                              : formula_(std::min(window_.sum(cell) * fraction_per_particle_, densest_)).value;
+}
+
+template class LocalContactFactor<2>;
+template class LocalContactFactor<3>;
+
+}  // namespace sandglass::dsmc

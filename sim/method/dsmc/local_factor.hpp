@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/method/dsmc/parameters.hpp"
+#include "sim/space/particle_store.hpp"
+#include "sim/space/window_sum.hpp"
+
+namespace sandglass::dsmc {
+
+/// Contact factor of every cell from the local density.
+///
+/// A small cell's own count is a biased measure of the density that a pair meets: a pair sits more often where many
+/// particles are (the count seen by a pair is larger by two), and the factor is convex (g of a fluctuating count
+/// exceeds g of its mean). Here the density comes from a window of at least 100 particles without the pair itself,
+/// which for Poisson counts removes the first bias exactly, and the second derivative of the formula times the Poisson
+/// variance removes the second to the order 1/100^2.
+template <int D>
+class LocalContactFactor {
+ public:
+  LocalContactFactor(const Parameters& parameters, const Grid<D>& grid, const std::array<bool, D>& periodic, double particles);
+
+  void update(std::span<const std::uint32_t> offsets);
+  const double* values() const { return factor_.data(); }
+  std::size_t bytes() const { return factor_.capacity() * sizeof(double) + window_.bytes(); }
+
+ private:
+  double smoothed(std::uint32_t cell) const;
+
+  ContactFormula formula_;
+  bool smoothed_;
+  double fraction_per_particle_;  ///< area or volume fraction that one particle adds to one cell
+  double densest_;
+  WindowSum<D> window_;
+  std::vector<double> factor_;
+};
+
+extern template class LocalContactFactor<2>;
+extern template class LocalContactFactor<3>;
+
+}  // namespace sandglass::dsmc

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "sim/method/dsmc/parameters.hpp"
+#include "sim/physics/collision.hpp"
+
+// The choices that the collision kernel is compiled for. An absent feature compiles to nothing.
+
+namespace sandglass::dsmc {
+
+struct NoOffset {
+  static constexpr bool moves = false;
+  explicit NoOffset(const Offset&) {}
+  template <int D>
+  Vector<D> displacement(const Vector<D>&, Random&) const {
+    return Vector<D>::Zero();
+  }
+};
+
+/// Consistent Boltzmann algorithm (Alexander, Garcia & Alder 1995): along the momentum change.
+struct ConsistentOffset {
+  static constexpr bool moves = true;
+  double length;
+  explicit ConsistentOffset(const Offset& offset) : length(offset.consistent) {}
+  template <int D>
+  Vector<D> displacement(const Vector<D>& normal, Random&) const {
+    return length * normal;
+  }
+};
+
+/// Generalized (universal) form (Garcia, Alexander & Alder 1997): an extra offset of zero mean.
+struct RandomOffset {
+  static constexpr bool moves = true;
+  double length, random_length;
+  explicit RandomOffset(const Offset& offset) : length(offset.consistent), random_length(offset.random) {}
+  template <int D>
+  Vector<D> displacement(const Vector<D>& normal, Random& random) const {
+    return length * normal + random_length * uniform_direction<D>(random);
+  }
+};
+
+/// Majorant pair selection as it should be.
+struct Honest {
+  SmoothInelastic rule;
+  explicit Honest(const Parameters& parameters) : rule{parameters.restitution} {}
+
+  double bound(double bound) const { return bound; }
+  /// Whole candidates of an expected number: the fraction is one more candidate with that probability.
+  std::uint64_t whole(double expected, Random& random) const {
+    return static_cast<std::uint64_t>(expected + random.uniform());
+  }
+  bool accepts(double square_speed, double square_bound, double uniform) const {
+    return uniform * uniform * square_bound < square_speed;
+  }
+  template <int D>
+  Vector<D - 1> impact(Random& random) const {
+    return uniform_impact<D>(random);
+  }
+  template <int D>
+  void kick(Vector<D>& velocity_1, Vector<D>& velocity_2, const Vector<D>& normal) const {
+    rule(velocity_1, velocity_2, normal);
+  }
+};
+
+/// The same with the faults of the mutant suite.
+struct Faulty {
+  Honest honest;
+  Faults faults;
+  explicit Faulty(const Parameters& parameters) : honest(parameters), faults(parameters.faults) {}
+
+  double bound(double bound) const { return faults.bound * bound; }
+  std::uint64_t whole(double expected, Random& random) const {
+    return faults.fraction_truncated ? static_cast<std::uint64_t>(expected) : honest.whole(expected, random);
+  }
+  bool accepts(double square_speed, double square_bound, double uniform) const {
+    return honest.accepts(square_speed, square_bound, uniform) != faults.acceptance_inverted;
+  }
+  template <int D>
+  Vector<D - 1> impact(Random& random) const {
+    return faults.impact * honest.impact<D>(random);
+  }
+  template <int D>
+  void kick(Vector<D>& velocity_1, Vector<D>& velocity_2, const Vector<D>& normal) const {
+    const Vector<D> before = velocity_2;
+    honest.kick<D>(velocity_1, velocity_2, normal);
+    velocity_2 += faults.momentum_leak * (before - velocity_2);
+  }
+};
+
+}  // namespace sandglass::dsmc

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "sim/base/vector.hpp"
+
+namespace sandglass {
+
+/// Regular cells over a box whose low corner is the origin. Cell numbers run fastest along axis 0.
+template <int D>
+class Grid {
+ public:
+  Grid(const Vector<D>& box, const std::array<std::uint32_t, D>& cells) : box_(box), cells_(cells) {
+    for (int axis = 0; axis < D; ++axis) per_length_[axis] = cells_[index(axis)] / box_[axis];
+  }
+
+  const Vector<D>& box() const { return box_; }
+  std::uint32_t cells(int axis) const { return cells_[index(axis)]; }
+  std::uint32_t size() const {
+    std::uint32_t product = 1;
+    for (std::uint32_t extent : cells_) product *= extent;
+    return product;
+  }
+  double cell_volume() const { return box_.prod() / size(); }
+
+  /// `position` lies in the box, edges included; the far edge belongs to the last cell.
+  std::uint32_t cell_of(const Vector<D>& position) const {
+    std::uint32_t cell = coordinate(position, D - 1);
+    for (int axis = D - 2; axis >= 0; --axis) cell = cell * cells_[index(axis)] + coordinate(position, axis);
+    return cell;
+  }
+
+ private:
+  static std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
+  std::uint32_t coordinate(const Vector<D>& position, int axis) const {
+    const auto coordinate = static_cast<std::int32_t>(position[axis] * per_length_[axis]);
+    return std::min(static_cast<std::uint32_t>(coordinate), cells_[index(axis)] - 1);
+  }
+
+  Vector<D> box_, per_length_;
+  std::array<std::uint32_t, D> cells_;
+};
+
+}  // namespace sandglass

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sim/space/grid.hpp"
+#include "sim/space/huge_page_allocator.hpp"
+
+namespace sandglass {
+
+/// A point of phase space: what every particle has.
+template <int D>
+struct Phase {
+  Vector<D> position, velocity;
+};
+
+template <class T>
+using Column = std::vector<T, HugePageAllocator<T>>;
+
+/// Particles sorted by cell, with a second buffer for the counting sort of every step. Within a cell the order is that of
+/// (old cell, old place): it does not depend on how cells are shared out. The id column exists only if asked for.
+template <int D>
+class ParticleStore {
+ public:
+  ParticleStore(const Grid<D>& grid, bool keep_ids) : grid_(grid), keep_ids_(keep_ids), offset_(grid.size() + 2) {}
+
+  const Grid<D>& grid() const { return grid_; }
+  std::size_t size() const { return phase_.size(); }
+  bool keeps_ids() const { return keep_ids_; }
+
+  std::span<Phase<D>> phases() { return phase_; }
+  std::span<const Phase<D>> phases() const { return phase_; }
+  std::span<const std::uint64_t> ids() const { return id_; }
+  /// First particle of each cell; one more entry than cells.
+  std::span<const std::uint32_t> offsets() const { return {offset_.data(), grid_.size() + 1}; }
+
+  /// Where the coming sort will put each particle; filled by the motion together with arrival(). Both stay valid and in
+  /// step until sort().
+  std::uint32_t* destination() { return destination_.data(); }
+  /// Counters of arriving particles by cell, zero after begin_step().
+  std::uint32_t* arrivals() { return arrival_.data() + 2; }
+  void begin_step() { std::fill(arrival_.begin(), arrival_.end(), 0u); }
+  /// Moves every particle to its destination cell.
+  void sort();
+
+  /// Takes particles in the given order, numbers them if ids are kept (or takes `ids`), and sorts them into cells.
+  void assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids = {});
+
+  /// Bytes that the store holds, by what is allocated.
+  std::size_t bytes() const;
+
+ private:
+  Grid<D> grid_;
+  bool keep_ids_;
+  Column<Phase<D>> phase_, next_phase_;
+  Column<std::uint64_t> id_, next_id_;
+  Column<std::uint32_t> destination_;
+  std::vector<std::uint32_t> offset_, arrival_ = std::vector<std::uint32_t>(offset_.size());
+};
+
+extern template class ParticleStore<2>;
+extern template class ParticleStore<3>;
+
+}  // namespace sandglass
