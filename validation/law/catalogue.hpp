@@ -1,0 +1,14 @@
+#pragma once
+
+#include "validation/law/law.hpp"
+
+/// The laws of each topic, in the order in which they are listed.
+namespace sandglass::law {
+
+std::vector<Law> equilibrium_laws();  ///< contact value, collision rate, equation of state
+std::vector<Law> cooling_laws();      ///< Haff's law and its Sonine correction
+std::vector<Law> velocity_laws();     ///< moments of the velocity distribution
+std::vector<Law> flux_laws();         ///< velocities of particles that cross a plane
+std::vector<Law> transport_laws();    ///< viscosities
+
+}  // namespace sandglass::law

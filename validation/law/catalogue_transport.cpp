@@ -1,0 +1,64 @@
+#include "validation/law/catalogue.hpp"
+#include "validation/law/parameters.hpp"
+#include "validation/law/transport.hpp"
+
+namespace sandglass::law {
+
+using namespace parameter;
+
+namespace {
+constexpr const char* kViscosityUnits = "mass length^(2-dimension) time^-1";
+constexpr const char* kDiluteSource = "Gass 1971 (disks); Chapman & Cowling 1970, ch. 10 (spheres)";
+constexpr const char* kEnskogSource = "Gass 1971 (disks); Chapman & Cowling 1970, sec. 16.5 (spheres)";
+constexpr const char* kExact = "elastic gas near equilibrium, no Sonine expansion";
+constexpr const char* kFirst = "elastic gas near equilibrium, first Sonine order";
+constexpr const char* kConverged = "elastic gas near equilibrium, all Sonine orders to 0.05%";
+
+using Viscosity = double (*)(const Gas&, SonineOrder);
+
+std::function<double(const Arguments&)> to_order(Viscosity viscosity, SonineOrder order) {
+  return [viscosity, order](const Arguments& given) { return viscosity(gas_from(given), order); };
+}
+
+Law dilute_law(std::string name, std::string validity, SonineOrder order) {
+  return {.name = std::move(name),
+          .summary = "shear viscosity of the dilute gas",
+          .source = kDiluteSource,
+          .units = kViscosityUnits,
+          .validity = std::move(validity) + ", fraction near 0",
+          .parameters = {temperature(), mass(), diameter(), dimension()},
+          .evaluate = to_order(boltzmann_shear_viscosity, order)};
+}
+
+Law enskog_law(std::string name, std::string summary, std::string units, std::string validity,
+               std::function<double(const Arguments&)> evaluate) {
+  return {
+      .name = std::move(name),
+      .summary = std::move(summary),
+      .source = kEnskogSource,
+      .units = std::move(units),
+      .validity = std::move(validity) + "; Enskog theory, area fraction below 0.5, volume fraction below 0.4",
+      .parameters = with_fraction({temperature(), mass(), diameter()}),
+      .evaluate = std::move(evaluate)};
+}
+}  // namespace
+
+std::vector<Law> transport_laws() {
+  using enum SonineOrder;
+  const std::string shear = "shear viscosity of the Enskog gas";
+  const std::string kinematic = "shear viscosity over mass density; a shear wave decays at k^2 times it";
+  return {dilute_law("boltzmann-shear-viscosity", kFirst, first),
+          dilute_law("boltzmann-shear-viscosity-converged", kConverged, converged),
+          enskog_law("enskog-shear-viscosity", shear, kViscosityUnits, kFirst,
+                     to_order(enskog_shear_viscosity, first)),
+          enskog_law("enskog-shear-viscosity-converged", shear, kViscosityUnits, kConverged,
+                     to_order(enskog_shear_viscosity, converged)),
+          enskog_law("enskog-bulk-viscosity", "bulk viscosity of the Enskog gas", kViscosityUnits, kExact,
+                     of_gas(enskog_bulk_viscosity)),
+          enskog_law("kinematic-viscosity", kinematic, "length^2/time", kFirst,
+                     to_order(enskog_kinematic_viscosity, first)),
+          enskog_law("kinematic-viscosity-converged", kinematic, "length^2/time", kConverged,
+                     to_order(enskog_kinematic_viscosity, converged))};
+}
+
+}  // namespace sandglass::law

@@ -1,0 +1,32 @@
+#include "sim/base/error.hpp"
+#include "sim/base/spelling.hpp"
+#include "validation/law/catalogue.hpp"
+
+#include <algorithm>
+
+namespace sandglass::law {
+
+namespace {
+std::vector<Law> collect() {
+  std::vector<Law> laws;
+  for (auto topic : {equilibrium_laws, cooling_laws, velocity_laws, flux_laws, transport_laws})
+    for (Law& law : topic()) laws.push_back(std::move(law));
+  return laws;
+}
+}  // namespace
+
+const std::vector<Law>& all_laws() {
+  static const std::vector<Law> laws = collect();
+  return laws;
+}
+
+const Law& find_law(const std::string& name) {
+  const std::vector<Law>& laws = all_laws();
+  const auto found = std::find_if(laws.begin(), laws.end(), [&](const Law& law) { return law.name == name; });
+  if (found != laws.end()) return *found;
+  std::vector<std::string> names;
+  for (const Law& law : laws) names.push_back(law.name);
+  throw InputError(unknown_word("law", name, names));
+}
+
+}  // namespace sandglass::law

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "validation/law/gas.hpp"
+
+namespace sandglass::law {
+
+/// Sonine order of the dilute viscosity: the first, or the limit (1.022 times it for disks, Gass 1971;
+/// 1.016 times it for spheres, Chapman & Cowling 1970 sec. 10.21).
+enum class SonineOrder { first, converged };
+
+/// Dilute elastic gas, sqrt(mT/pi)/(2d) for disks and 5 sqrt(mT/pi)/(16 d^2) for spheres
+/// [mass length^(2-D) time^-1].
+double boltzmann_shear_viscosity(const Gas& gas, SonineOrder order);
+
+/// Elastic Enskog gas, (eta0/g) (1 + 2bng/(D+2))^2 + D/(D+2) kappa, with bn = 2^(D-1) nu.
+/// Gass (1971) for disks, Chapman & Cowling (1970) sec. 16.5 for spheres.
+double enskog_shear_viscosity(const Gas& gas, SonineOrder order);
+
+/// Bulk viscosity kappa of the elastic Enskog gas: 16/pi nu^2 g eta0 for disks, 256/(5 pi) nu^2 g eta0 for
+/// spheres, eta0 to first order: it needs no Sonine expansion.
+double enskog_bulk_viscosity(const Gas& gas);
+
+/// Enskog shear viscosity over mass density [length^2/time]; a shear wave of wave number k decays at k^2 nu.
+double enskog_kinematic_viscosity(const Gas& gas, SonineOrder order);
+
+}  // namespace sandglass::law
