@@ -1,0 +1,5 @@
+"""Figures and pages from verdicts, evidence and records. Decides nothing: every verdict comes from the judge."""
+
+from analysis.load import load_record, load_report
+
+__all__ = ["load_record", "load_report"]

@@ -1,0 +1,41 @@
+"""python3 -m analysis report|table FOLDER"""
+
+import argparse
+import sys
+from pathlib import Path
+
+from analysis.errors import InputError
+from analysis.load import load_report
+
+LEDGER = Path(__file__).parent.parent / "reference" / "claims.toml"
+
+
+def _arguments():
+    parser = argparse.ArgumentParser(prog="python3 -m analysis", description="Figures and pages of a report folder.")
+    commands = parser.add_subparsers(dest="command", required=True)
+    for name, text in (("report", "write pages, pictures, CSV and JUnit XML"), ("table", "print a table")):
+        command = commands.add_parser(name, help=text)
+        command.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
+        command.add_argument("--claims", type=Path, default=LEDGER, help="ledger of claims (TOML)")
+    return parser.parse_args()
+
+
+def main():
+    """0: written; 2: bad input, said on standard error."""
+    arguments = _arguments()
+    try:
+        report = load_report(arguments.folder, arguments.claims)
+        if arguments.command == "table":
+            from analysis.table import print_table
+            print_table(report)
+        else:
+            from analysis.build import build
+            print(build(report, arguments.folder))
+    except InputError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

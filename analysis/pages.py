@@ -1,0 +1,40 @@
+"""The pages of a report folder, from templates."""
+
+from pathlib import Path
+
+import jinja2
+from markupsafe import Markup
+
+from analysis import bar, markdown, summary, words
+
+HERE = Path(__file__).parent
+
+
+def environment(report, folder):
+    """Templates with all text escaped, and the words they use."""
+    result = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True,
+                                trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+    result.filters.update(number=words.number, units=words.units, seconds=words.seconds, size=words.size)
+    result.globals.update(
+        report=report, summary=summary, looks=words.VERDICTS, claim_states=words.CLAIM_STATES, with_error=words.with_error, slug=words.slug,
+        total=summary.total, budget_bar=bar.budget_bar, style=(HERE / "style.css").read_text(encoding="utf-8"),
+        kept=lambda name: (folder / name).is_file(), markdown=lambda text: Markup(markdown.render(text)))
+    return result
+
+
+def _write(path, template, **values):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(template.render(**values), encoding="utf-8")
+
+
+def write_pages(report, folder, pictures):
+    """Writes index, case, precision and mutant pages; `pictures` says which files exist (see build.py)."""
+    templates = environment(report, folder)
+    _write(folder / "index.html", templates.get_template("index.html.j2"), root="", pictures=pictures,
+           key=lambda item: (item.case, item.point))
+    for case in report.cases:
+        _write(folder / "case" / f"{words.slug(case.name)}.html", templates.get_template("case.html.j2"),
+               root="../", case=case, pictures=pictures, key=lambda item: (item.point, item.check))
+    _write(folder / "precision.html", templates.get_template("precision.html.j2"), root="", pictures=pictures,
+           quantities=summary.quantities)
+    _write(folder / "mutants.html", templates.get_template("mutants.html.j2"), root="", pictures=pictures)

@@ -1,0 +1,138 @@
+"""The sums that the pages show: headline, matrix of cases and variants, claims, cost. No verdict is made here."""
+
+from dataclasses import dataclass
+
+from analysis.model import Claim, Verdict
+from analysis.words import GOOD, VERDICTS, worst
+
+
+@dataclass(frozen=True)
+class Cell:
+    """All checks of one run."""
+
+    verdicts: list[Verdict]
+
+    @property
+    def verdict(self):
+        return worst(item.verdict for item in self.verdicts)
+
+    @property
+    def shown(self):
+        """The check that this cell reports: largest deviation per budget among those with the cell's verdict."""
+        candidates = [item for item in self.verdicts if item.verdict == self.verdict]
+        return max(candidates, key=lambda item: -1.0 if item.share is None else item.share)
+
+    @property
+    def look(self):
+        return VERDICTS[self.verdict]
+
+    @property
+    def cpu_seconds(self):
+        return self.verdicts[0].cpu_seconds
+
+
+def count(verdicts):
+    """How often each verdict was given, in the order of the vocabulary."""
+    return {name: sum(item.verdict == name for item in verdicts) for name in VERDICTS}
+
+
+def variants(verdicts):
+    return list(dict.fromkeys(item.variant for item in verdicts))
+
+
+def rows(verdicts, row_key):
+    """The rows of a matrix with variants as columns: {row_key(verdict): {variant: Cell}}."""
+    collected = {}
+    for item in verdicts:
+        collected.setdefault(row_key(item), {}).setdefault(item.variant, []).append(item)
+    return {row: {variant: Cell(items) for variant, items in cells.items()} for row, cells in collected.items()}
+
+
+def by_point(case):
+    """{point: evidence}, in the order of the case; the variants of one check beside each other."""
+    points = dict.fromkeys(item.verdict.point for item in case.evidence)
+    checks = list(dict.fromkeys(item.verdict.check for item in case.evidence))
+    return {point: sorted((item for item in case.evidence if item.verdict.point == point),
+                          key=lambda item: checks.index(item.verdict.check)) for point in points}
+
+
+def faults(mutants):
+    """{mutation: caught by at least one check}."""
+    caught = {}
+    for item in mutants:
+        caught[item.mutation] = caught.get(item.mutation, False) or item.caught
+    return caught
+
+
+def _plural(amount, one, many):
+    return f"{amount} {one if amount == 1 else many}"
+
+
+def headline(report):
+    """The whole report in one sentence."""
+    tally = count(report.verdicts)
+    known = tally["expected-fail"]
+    parts = [f"{tally['pass']} of {_plural(len(report.verdicts) - known - tally['unexpected-pass'], 'check', 'checks')} "
+             + ("holds" if tally["pass"] == 1 else "hold")]
+    if tally["fail"]:
+        parts.append(f"{tally['fail']} " + ("fails" if tally["fail"] == 1 else "fail"))
+    if tally["inconclusive"]:
+        parts.append(f"{tally['inconclusive']} inconclusive")
+    if known:
+        parts.append(_plural(known, "known limit", "known limits") + " confirmed")
+    if tally["unexpected-pass"]:
+        parts.append(_plural(tally["unexpected-pass"], "known limit", "known limits") + " not seen")
+    caught = faults(report.mutants)
+    if caught:
+        parts.append(f"{sum(caught.values())} of {_plural(len(caught), 'planted fault', 'planted faults')} caught")
+    return "; ".join(parts)
+
+
+@dataclass(frozen=True)
+class ClaimEvidence:
+    """A claim of the ledger (None when the ledger lacks it) beside the verdicts of this report."""
+
+    name: str
+    claim: Claim | None
+    verdicts: list[Verdict]
+
+    @property
+    def holding(self):
+        return sum(item.verdict in GOOD for item in self.verdicts)
+
+
+def claims(report):
+    """Claims with verdicts first; claims that only verdicts name count as well."""
+    ledger = {claim.id: claim for claim in report.claims}
+    behind = {name: [] for name in ledger}
+    for item in report.verdicts:
+        for name in item.claims:
+            behind.setdefault(name, []).append(item)
+    found = [ClaimEvidence(name, ledger.get(name), verdicts) for name, verdicts in behind.items()]
+    return sorted(found, key=lambda item: not item.verdicts)
+
+
+def quantities(sweeps):
+    """Sweeps that share a picture of error against cost: {(case, quantity): [(index, sweep)]}."""
+    groups = {}
+    for index, sweep in enumerate(sweeps):
+        groups.setdefault((sweep.case, sweep.quantity), []).append((index, sweep))
+    return groups
+
+
+def total(numbers):
+    """Sum of what is known."""
+    return sum(item for item in numbers if item is not None)
+
+
+def provenance(report):
+    """{key: distinct values over all runs}, so that a folder made by two programs shows it."""
+    collected = {}
+    for case in report.cases:
+        for run in case.runs:
+            for key, value in run.provenance.items():
+                collected.setdefault(key, {})[value] = None
+    distinct = {key: list(values) for key, values in collected.items()}
+    if len(distinct.get("created", [])) > 1:
+        distinct["created"] = [f"{min(distinct['created'])} to {max(distinct['created'])}"]
+    return distinct
