@@ -54,22 +54,19 @@ void moves(benchmark::State& state, Feature feature) {
 
   MotionParameters<D> motion;
   std::vector<Plane> planes;
-  if (feature.plane) planes.push_back({0, 0.5 * edge_cells, {}}), motion.planes = &planes;
+  if (feature.plane) planes.emplace_back(0, 0.5 * edge_cells, std::vector<double>{-5, 0, 5}), motion.planes = &planes;
   if (feature.gravity) motion.gravity[D - 1] = -1e-4;
   if (feature.walls) motion.walled[D - 1] = true;
   if (feature.factor) parameters.factor.formula = contact_formula(D);
   parameters.offset = {feature.offset.consistent * parameters.diameter, feature.offset.random * parameters.diameter};
   motion.offsets = parameters.offset.any();
   parameters.measure_transfer = feature.transfer;
-  Dsmc<D> dsmc(grid, parameters, motion, feature.ids);
+  Dsmc<D> dsmc(grid, parameters, motion, Streams{}, Purpose::collisions, feature.ids);
   dsmc.assign(gas<D>(count, edge_cells));
   std::uint64_t step = 0;
-  for (; step < 3; ++step) dsmc.step(dt, StreamKey(1, Purpose::collisions, 0, step));
+  for (; step < 3; ++step) dsmc.step(dt, step);
   dsmc.tally() = Tally{};
-  for (auto _ : state) {
-    dsmc.step(dt, StreamKey(1, Purpose::collisions, 0, step++));
-    if (feature.plane) planes[0].velocities.clear();
-  }
+  for (auto _ : state) dsmc.step(dt, step++);
   const auto steps = static_cast<double>(state.iterations());
   state.counters["moves_per_second"] = benchmark::Counter(steps * static_cast<double>(count), benchmark::Counter::kIsRate);
   state.counters["collisions_per_second"] =

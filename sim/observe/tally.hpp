@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "sim/base/exact_sum.hpp"
 
@@ -15,13 +14,6 @@ struct Tally {
   std::uint64_t bound_raised = 0;   ///< collisions after which the bound on relative speeds had to rise
   std::uint64_t moves = 0;          ///< particle-moves
   ExactSum transfer;                ///< sum over collisions of m v' . displacement: momentum carried by the offsets
-};
-
-/// A plane that counts the particles passing it.
-struct Plane {
-  int axis = 0;
-  double position = 0;
-  std::vector<double> velocities;   ///< normal velocity of each crossing since the last sample, in no fixed order
 };
 
 }  // namespace sandglass

@@ -1,9 +1,5 @@
 #include "sim/method/dsmc/dsmc.hpp"
 
-#include <cmath>
-
-#include "sim/base/error.hpp"
-
 namespace sandglass::dsmc {
 
 namespace {
@@ -19,8 +15,11 @@ std::array<bool, D> periodic_axes(const MotionParameters<D>& motion) {
 }  // namespace
 
 template <int D>
-Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion, bool keep_ids)
+Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion,
+              const Streams& streams, Purpose purpose, bool keep_ids)
     : parameters_(parameters),
+      streams_(streams),
+      purpose_(purpose),
       motion_parameters_(motion),
       store_(grid, keep_ids),
       collisions_(parameters.faults.any() ? make_faulty_collision_stage<D>(parameters)
@@ -35,7 +34,8 @@ void Dsmc<D>::assign(std::span<const Phase<D>> particles, std::span<const std::u
 }
 
 template <int D>
-void Dsmc<D>::step(double dt, const StreamKey& key) {
+void Dsmc<D>::step(double dt, std::uint64_t step) {
+  const StreamKey key(streams_.seed, purpose_, streams_.replica, step);
   if (factor_) factor_->update(store_.offsets());
   const double coefficient = parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
   collide_and_move(dt, {key, coefficient, factor_ ? factor_->values() : nullptr, store_.phases().data(),
@@ -56,6 +56,19 @@ void Dsmc<D>::collide_and_move(double dt, const CollisionStep<D>& collisions) {
     motion_->advance(store_, offsets[first], offsets[last], dt);
     first = last;
   }
+}
+
+template <int D>
+View<D> Dsmc<D>::view() {
+  View<D> view;
+  view.particles = store_.phases();
+  view.offsets = store_.offsets();
+  view.box = store_.grid().box();
+  view.mass = parameters_.mass;
+  view.weight = parameters_.weight;
+  view.tally = &tally_;
+  view.planes = motion_parameters_.planes;
+  return view;
 }
 
 template <int D>

@@ -6,33 +6,32 @@
 #include "sim/method/dsmc/collision_stage.hpp"
 #include "sim/method/dsmc/local_factor.hpp"
 #include "sim/method/dsmc/motion_stage.hpp"
+#include "sim/method/method.hpp"
 
 namespace sandglass::dsmc {
 
 /// Direct simulation Monte Carlo and its dense-gas variants in D dimensions. A step collides the particles of each cell,
 /// moves them, and sorts them into the cells where they arrive.
 template <int D>
-class Dsmc {
+class Dsmc final : public Method<D> {
  public:
-  Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion, bool keep_ids);
+  /// `purpose` names the streams of the collisions; ids are kept only if asked for.
+  Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion, const Streams& streams,
+       Purpose purpose = Purpose::collisions, bool keep_ids = false);
 
-  /// Takes the particles; what depends on their number is set up here.
-  void assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids = {});
-
-  /// One step of length `dt`. `key` names the random streams of its cells.
-  void step(double dt, const StreamKey& key);
-
-  const ParticleStore<D>& store() const { return store_; }
-  Tally& tally() { return tally_; }
-  const Tally& tally() const { return tally_; }
-  const Parameters& parameters() const { return parameters_; }
-  /// Bytes held by the method, everything included.
-  std::size_t bytes() const;
+  void assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids = {}) override;
+  void step(double dt, std::uint64_t step) override;
+  View<D> view() override;
+  std::span<const std::uint64_t> ids() const override { return store_.ids(); }
+  Tally& tally() override { return tally_; }
+  std::size_t bytes() const override;
 
  private:
   void collide_and_move(double dt, const CollisionStep<D>& collisions);
 
   Parameters parameters_;
+  Streams streams_;
+  Purpose purpose_;
   MotionParameters<D> motion_parameters_;
   ParticleStore<D> store_;
   std::unique_ptr<CollisionStage<D>> collisions_;

@@ -54,10 +54,10 @@ class MotionKernel final : public MotionStage<D> {
   /// Planes are normal to periodic axes without gravity: the signed number of passages is that of the unwrapped path.
   void count_crossings(const Phase<D>& particle, const Vector<D>& box, double dt) const {
     for (Plane& plane : *parameters_.planes) {
-      const double length = box[plane.axis], velocity = particle.velocity[plane.axis];
-      const double before = wrap(particle.position[plane.axis], length, 1 / length) - plane.position;
+      const double length = box[plane.axis()], velocity = particle.velocity[plane.axis()];
+      const double before = wrap(particle.position[plane.axis()], length, 1 / length) - plane.position();
       const double passages = std::floor((before + velocity * dt) / length) - std::floor(before / length);
-      for (int i = 0; i < std::abs(static_cast<int>(passages)); ++i) plane.velocities.push_back(velocity);
+      for (int i = 0; i < std::abs(static_cast<int>(passages)); ++i) plane.count(velocity);
     }
   }
 

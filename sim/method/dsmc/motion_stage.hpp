@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/observe/tally.hpp"
+#include "sim/observe/plane.hpp"
 #include "sim/space/particle_store.hpp"
 
 namespace sandglass::dsmc {

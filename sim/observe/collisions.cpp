@@ -1,0 +1,95 @@
+#include "sim/observe/collisions.hpp"
+
+#include <cmath>
+
+#include "sim/observe/axes.hpp"
+#include "sim/observe/sums.hpp"
+
+namespace sandglass {
+
+template <int D>
+Quantity CollisionCount<D>::quantity() const {
+  if (candidates_) return {"candidates", "1", "pairs tried for a collision since time zero", {}, {}, {}, ""};
+  return {"collisions", "1", "collisions of simulated particles since time zero", {}, {}, {}, ""};
+}
+
+template <int D>
+std::vector<double> CollisionCount<D>::measure(const View<D>& view) {
+  return {static_cast<double>(candidates_ ? view.tally->candidates : view.tally->collisions)};
+}
+
+template <int D>
+Quantity Pressure<D>::quantity() const {
+  return {"pressure", D == 2 ? "mass time^-2" : "mass length^-1 time^-2",
+          "pressure over the time since the previous sample", {3}, {"kinetic", "collisional", "total"}, {}, ""};
+}
+
+template <int D>
+double Pressure<D>::kinetic(const View<D>& view) const {
+  return view.weight * static_cast<double>(view.particles.size()) * temperatures(view).mean() / view.box.prod();
+}
+
+template <int D>
+void Pressure<D>::start(const View<D>& view) {
+  time_ = view.time;
+  kinetic_ = kinetic(view);
+  transfer_ = view.tally->transfer;
+}
+
+template <int D>
+std::vector<double> Pressure<D>::measure(const View<D>& view) {
+  const double interval = view.time - time_, before = kinetic_, carried = transfer_.value();
+  start(view);
+  // The geometric mean is the average over the interval, both of a constant and of Haff's (1 + t/t0)^-2.
+  const double kinetic_part = std::sqrt(before * kinetic_);
+  const double collisional = view.weight * (transfer_.value() - carried) / (D * view.box.prod() * interval);
+  return {kinetic_part, collisional, kinetic_part + collisional};
+}
+
+template <int D>
+std::vector<double> Pressure<D>::save() const {
+  std::vector<double> state = transfer_.save();
+  state.push_back(time_);
+  state.push_back(kinetic_);
+  return state;
+}
+
+template <int D>
+void Pressure<D>::load(const std::vector<double>& state) {
+  transfer_ = ExactSum::load(state);
+  time_ = state.at(state.size() - 2);
+  kinetic_ = state.back();
+}
+
+template <int D>
+Quantity Crossings<D>::quantity() const {
+  return {"crossings", "particles", "passages of the plane by normal velocity since the previous sample", {spec_.bins}, {},
+          bin_edges(spec_), "velocity " + axis_name(spec_.axis) + " [length/time]"};
+}
+
+template <int D>
+std::vector<double> Crossings<D>::measure(const View<D>& view) {
+  return view.planes->at(plane_).take_histogram();
+}
+
+template <int D>
+Quantity CrossingCount<D>::quantity() const {
+  return {"crossing-count", "particles", "passages of the plane since time zero", {2}, {"up", "down"}, {}, ""};
+}
+
+template <int D>
+std::vector<double> CrossingCount<D>::measure(const View<D>& view) {
+  const Plane& plane = view.planes->at(plane_);
+  return {plane.up(), plane.down()};
+}
+
+template class CollisionCount<2>;
+template class CollisionCount<3>;
+template class Pressure<2>;
+template class Pressure<3>;
+template class Crossings<2>;
+template class Crossings<3>;
+template class CrossingCount<2>;
+template class CrossingCount<3>;
+
+}  // namespace sandglass

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "sim/observe/observer.hpp"
+
+namespace sandglass {
+
+/// Collisions, or pairs tried, since time zero.
+template <int D>
+class CollisionCount final : public Observer<D> {
+ public:
+  explicit CollisionCount(bool candidates) : candidates_(candidates) {}
+  Quantity quantity() const override;
+  std::vector<double> measure(const View<D>& view) override;
+  bool cumulative() const override { return true; }
+
+ private:
+  bool candidates_;
+};
+
+/// Kinetic and collisional pressure over the time since the previous sample. The collisional part is the momentum that
+/// the offsets really carried, sum m v' . displacement / (D V dt): zero for a method without offsets.
+template <int D>
+class Pressure final : public Observer<D> {
+ public:
+  Quantity quantity() const override;
+  std::vector<double> measure(const View<D>& view) override;
+  bool measures_at_start() const override { return false; }
+  void start(const View<D>& view) override;
+  std::vector<double> save() const override;
+  void load(const std::vector<double>& state) override;
+
+ private:
+  double kinetic(const View<D>& view) const;
+
+  double time_ = 0, kinetic_ = 0;
+  ExactSum transfer_;
+};
+
+/// Passages of a plane by normal velocity, since the previous sample.
+template <int D>
+class Crossings final : public Observer<D> {
+ public:
+  Crossings(const ObserverSpec& spec, std::size_t plane) : spec_(spec), plane_(plane) {}
+  Quantity quantity() const override;
+  std::vector<double> measure(const View<D>& view) override;
+  bool measures_at_start() const override { return false; }
+
+ private:
+  ObserverSpec spec_;
+  std::size_t plane_;
+};
+
+/// Passages of a plane since time zero, upwards and downwards.
+template <int D>
+class CrossingCount final : public Observer<D> {
+ public:
+  explicit CrossingCount(std::size_t plane) : plane_(plane) {}
+  Quantity quantity() const override;
+  std::vector<double> measure(const View<D>& view) override;
+  bool cumulative() const override { return true; }
+
+ private:
+  std::size_t plane_;
+};
+
+}  // namespace sandglass

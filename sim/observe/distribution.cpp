@@ -1,0 +1,90 @@
+#include "sim/observe/distribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/observe/axes.hpp"
+#include "sim/observe/sums.hpp"
+
+namespace sandglass {
+
+namespace {
+/// x, x^2, x^3, x^4 of a square give the even powers to order 8.
+std::array<double, 4> powers(double square) {
+  return {square, square * square, square * square * square, square * square * square * square};
+}
+}  // namespace
+
+template <int D>
+Quantity Moments<D>::quantity() const {
+  return {"moments", "1", "even velocity moments relative to the second: one component (m) and the speed (s)", {7},
+          {"m2", "m4", "m6", "m8", "s4", "s6", "s8"}, {}, ""};
+}
+
+template <int D>
+std::vector<double> Moments<D>::measure(const View<D>& view) {
+  const Vector<D> mean = mean_velocity(view);
+  // 4 powers of each component, then 4 of the speed.
+  const auto sum = sum_particles<4 * (D + 1)>(view, [&mean](const Phase<D>& particle) {
+    std::array<double, 4 * (D + 1)> terms;
+    const Vector<D> relative = particle.velocity - mean;
+    for (int axis = 0; axis < D; ++axis)
+      std::ranges::copy(powers(relative[axis] * relative[axis]), terms.begin() + 4 * axis);
+    std::ranges::copy(powers(relative.squaredNorm()), terms.begin() + 4 * D);
+    return terms;
+  });
+  const auto count = static_cast<double>(view.particles.size());
+  const auto moment = [&](int group, int order) {
+    return sum[static_cast<std::size_t>(4 * group + order - 1)] / count / std::pow(sum[static_cast<std::size_t>(4 * group)] / count, order);
+  };
+  std::vector<double> values;
+  for (int order = 1; order <= 4; ++order) {
+    double component = 0;
+    for (int axis = 0; axis < D; ++axis) component += moment(axis, order) / D;
+    values.push_back(component);
+  }
+  for (int order = 2; order <= 4; ++order) values.push_back(moment(D, order));
+  return values;
+}
+
+template <int D>
+Quantity VelocityHistogram<D>::quantity() const {
+  return {"velocity-histogram-" + axis_name(spec_.axis), "particles", "particles by one velocity component", {spec_.bins},
+          {}, bin_edges(spec_), "velocity " + axis_name(spec_.axis) + " [length/time]"};
+}
+
+template <int D>
+std::vector<double> VelocityHistogram<D>::measure(const View<D>& view) {
+  const double per_bin = static_cast<double>(spec_.bins) / (spec_.range[1] - spec_.range[0]);
+  std::vector<double> counts(spec_.bins);
+  for (const Phase<D>& particle : view.particles) {
+    const double bin = (particle.velocity[spec_.axis] - spec_.range[0]) * per_bin;
+    ++counts[static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(spec_.bins) - 0.5))];
+  }
+  return counts;
+}
+
+template <int D>
+Quantity ShearMode<D>::quantity() const {
+  return {cosine_ ? "shear-mode-cos" : "shear-mode", "length time^-1",
+          cosine_ ? "cosine amplitude of the shear wave" : "sine amplitude of the shear wave", {}, {}, {}, ""};
+}
+
+template <int D>
+std::vector<double> ShearMode<D>::measure(const View<D>& view) {
+  const double wavenumber = 2 * M_PI * periods_ / view.box[1];
+  const auto sum = sum_particles<1>(view, [&](const Phase<D>& particle) {
+    const double phase = wavenumber * particle.position[1];
+    return std::array{particle.velocity[0] * (cosine_ ? std::cos(phase) : std::sin(phase))};
+  });
+  return {2 * sum[0] / static_cast<double>(view.particles.size())};
+}
+
+template class Moments<2>;
+template class Moments<3>;
+template class VelocityHistogram<2>;
+template class VelocityHistogram<3>;
+template class ShearMode<2>;
+template class ShearMode<3>;
+
+}  // namespace sandglass

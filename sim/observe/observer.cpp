@@ -1,0 +1,82 @@
+#include "sim/observe/observer.hpp"
+
+#include <functional>
+#include <map>
+
+#include "sim/base/error.hpp"
+#include "sim/base/spelling.hpp"
+#include "sim/observe/collisions.hpp"
+#include "sim/observe/distribution.hpp"
+#include "sim/observe/energy.hpp"
+#include "sim/observe/fields.hpp"
+
+namespace sandglass {
+
+namespace {
+
+template <int D>
+using List = std::vector<std::unique_ptr<Observer<D>>>;
+
+template <int D, class... Kinds>
+List<D> list(std::unique_ptr<Kinds>... observers) {
+  List<D> result;
+  (result.push_back(std::move(observers)), ...);
+  return result;
+}
+
+/// Every word that a scene may write after `what =`.
+template <int D>
+const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size_t)>>& makers() {
+  using std::make_unique;
+  using Spec = const ObserverSpec&;
+  static const std::map<std::string, std::function<List<D>(Spec, std::size_t)>> all = {
+      {"energy", [](Spec, std::size_t) { return list<D>(make_unique<Energy<D>>()); }},
+      {"temperature", [](Spec, std::size_t) { return list<D>(make_unique<Temperature<D>>()); }},
+      {"momentum",
+       [](Spec, std::size_t) { return list<D>(make_unique<Momentum<D>>(), make_unique<MomentumScale<D>>()); }},
+      {"moments", [](Spec, std::size_t) { return list<D>(make_unique<Moments<D>>()); }},
+      {"velocity-histogram", [](Spec spec, std::size_t) { return list<D>(make_unique<VelocityHistogram<D>>(spec)); }},
+      {"collisions",
+       [](Spec, std::size_t) {
+         return list<D>(make_unique<CollisionCount<D>>(false), make_unique<CollisionCount<D>>(true));
+       }},
+      {"pressure", [](Spec, std::size_t) { return list<D>(make_unique<Pressure<D>>()); }},
+      {"crossings",
+       [](Spec spec, std::size_t plane) {
+         return list<D>(make_unique<Crossings<D>>(spec, plane), make_unique<CrossingCount<D>>(plane));
+       }},
+      {"fields", [](Spec spec, std::size_t) { return list<D>(make_unique<Fields<D>>(spec)); }},
+      {"shear-mode",
+       [](Spec spec, std::size_t) {
+         return list<D>(make_unique<ShearMode<D>>(spec.periods, false), make_unique<ShearMode<D>>(spec.periods, true));
+       }},
+  };
+  return all;
+}
+
+}  // namespace
+
+Needs needs_of(const ObserverSpec& spec) {
+  return {.transfer = spec.what == "pressure", .plane = spec.what == "crossings"};
+}
+
+std::vector<double> bin_edges(const ObserverSpec& spec) {
+  std::vector<double> edges(spec.bins + 1);
+  for (std::size_t i = 0; i <= spec.bins; ++i)
+    edges[i] = spec.range[0] + (spec.range[1] - spec.range[0]) * static_cast<double>(i) / static_cast<double>(spec.bins);
+  return edges;
+}
+
+template <int D>
+List<D> make_observers(const ObserverSpec& spec, std::size_t plane) {
+  const auto& all = makers<D>();
+  if (const auto found = all.find(spec.what); found != all.end()) return found->second(spec, plane);
+  std::vector<std::string> words;
+  for (const auto& [word, maker] : all) words.push_back(word);
+  throw InputError(unknown_word("observer", spec.what, words));
+}
+
+template List<2> make_observers<2>(const ObserverSpec&, std::size_t);
+template List<3> make_observers<3>(const ObserverSpec&, std::size_t);
+
+}  // namespace sandglass
