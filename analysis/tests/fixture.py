@@ -172,5 +172,14 @@ def write(folder, files):
     return Path(folder)
 
 
+def ledger(folder):
+    """Writes a small ledger of claims; returns its path."""
+    path = Path(folder) / "claims.toml"
+    path.write_text("".join(f'[[claim]]\nid = "{name}"\nsource = "a source"\ntext = "a claim"\nstatus = "{status}"\n'
+                            for name, status in (("BAR-2", "reproduced"), ("MUL-1", "not reproduced"),
+                                                 ("GRE-1", "not yet tested"))), encoding="utf-8")
+    return path
+
+
 if __name__ == "__main__":
     write(sys.argv[1], documents())

@@ -1,0 +1,64 @@
+"""Every page in a real browser, as a laptop and as a phone shows it. Skipped where Chromium is not installed."""
+
+import pytest
+
+from analysis.tests.browser import Browser, available
+
+pytestmark = pytest.mark.skipif(not available(), reason="chromium and chromedriver are not installed")
+
+MISSING = "return [...document.images].filter(i => i.complete && !i.naturalWidth).map(i => i.src)"
+LOADING = "return [...document.images].some(i => !i.complete)"
+OVERFLOW = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
+LINKS = "return [...document.links].map(a => a.href).filter(h => h.startsWith('file:') && h.includes('#'))"
+ANCHORS = "return [...document.querySelectorAll('[id]')].map(e => e.id)"
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with Browser() as opened:
+        yield opened
+
+
+def pages(folder):
+    return sorted(folder.glob("*.html")) + sorted(folder.glob("case/*.html"))
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_pages_show_everything(browser, built, width):
+    browser.resize(width, 844)
+    for page in pages(built[1]):
+        browser.open(page)
+        assert not browser.evaluate(LOADING)
+        assert browser.evaluate(MISSING) == [], page.name
+        assert browser.evaluate(OVERFLOW) <= 0, f"{page.name} is wider than {width} px"
+    assert browser.complaints() == []
+
+
+def test_anchors_exist(browser, built):
+    anchors, wanted = {}, set()
+    for page in pages(built[1]):
+        browser.open(page)
+        anchors[page.resolve().as_uri()] = set(browser.evaluate(ANCHORS))
+        wanted |= {tuple(link.split("#")) for link in browser.evaluate(LINKS)}
+    assert wanted
+    assert [link for link in wanted if link[1] not in anchors[link[0]]] == []
+
+
+def test_missing_picture_is_noticed(browser, built, tmp_path):
+    page = tmp_path / "broken.html"
+    page.write_text('<img src="nothing.svg"><div style="width:3000px">x</div>', encoding="utf-8")
+    browser.open(page)
+    assert len(browser.evaluate(MISSING)) == 1
+    assert browser.evaluate(OVERFLOW) > 0
+    assert browser.complaints() != []
+
+
+def test_dark_scheme_changes_the_page(browser, built):
+    colour = "return getComputedStyle(document.body).backgroundColor"
+    seen = []
+    for scheme in ("light", "dark"):
+        browser.colours(scheme)
+        browser.open(built[1] / "index.html")
+        seen.append(browser.evaluate(colour))
+    browser.colours("light")
+    assert seen[0] != seen[1]
