@@ -1,0 +1,26 @@
+#include "sim/scene/read_sections.hpp"
+
+namespace sandglass {
+
+namespace {
+void read_sides(Table& table, Domain& domain) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string& name = axis_words()[axis].first;
+    if (axis < domain.sides.size())
+      table.read_pair(name, domain.sides[axis], side_words());
+    else
+      table.refuse(name, "cannot be: a domain of 2 dimensions has the axes x and y");
+  }
+  table.finish();
+}
+}  // namespace
+
+void read_domain(Table& table, Domain& domain) {
+  table.require("dimension", domain.dimension, "2 or 3");
+  table.require("size", domain.size, "edge lengths, one for each axis, for example size = [10.0, 10.0]");
+  domain.sides.assign(domain.dimension == 2 ? 2 : 3, {Side::periodic, Side::periodic});
+  if (std::optional<Table> sides = table.table("sides")) read_sides(*sides, domain);
+  table.finish();
+}
+
+}  // namespace sandglass

@@ -1,0 +1,69 @@
+#include "sim/scene/read_sections.hpp"
+#include "sim/scene/rules.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace sandglass {
+
+namespace {
+template <class Section>
+void read_section(Table& root, const std::string& key, void (*read)(Table&, Section&), Section& section) {
+  if (std::optional<Table> table = root.table(key)) read(*table, section);
+}
+
+void report_missing_tables(Table& root) {
+  for (const std::string key : {"run", "domain", "method"})
+    if (!root.has(key)) root.report_missing(key, "every scene needs a table headed [" + key + "]");
+  if (!root.has("species"))
+    root.report_missing("species", "describe the particles in a table headed [[species]]");
+}
+
+Scene read_tables(Table& root) {
+  Scene scene;
+  root.read("title", scene.title);
+  read_section(root, "run", read_run, scene.run);
+  read_section(root, "domain", read_domain, scene.domain);
+  for (Table& table : root.tables("species"))
+    read_species(table, scene.domain.dimension, scene.species.emplace_back());
+  read_section(root, "method", read_method, scene.method);
+  read_section(root, "forces", read_forces, scene.gravity);
+  read_section(root, "initial", read_initial, scene.initial);
+  for (Table& table : root.tables("observe")) read_observe(table, scene.observe.emplace_back());
+  read_section(root, "output", read_output, scene.output);
+  root.finish();
+  report_missing_tables(root);
+  return scene;
+}
+
+/// Gravity of no strength is no gravity: nothing of it is then compiled into the run.
+void drop_zero_gravity(std::vector<double>& gravity) {
+  if (std::all_of(gravity.begin(), gravity.end(), [](double component) { return component == 0; }))
+    gravity.clear();
+}
+}  // namespace
+
+Scene read_scene_text(const std::string& text, const std::string& file_name) {
+  const Node document = parse_document(text, file_name);
+  Diagnostics diagnostics(file_name, document);
+  Table root(document, "", diagnostics);
+  Scene scene = read_tables(root);
+  check_rules(scene, diagnostics);
+  diagnostics.raise();
+  drop_zero_gravity(scene.gravity);
+  return scene;
+}
+
+Scene read_scene_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf()))
+    throw InputError("cannot read the scene '" + path +
+                     "': " + (file ? "it is empty or not a file" : std::strerror(errno)));
+  return read_scene_text(text.str(), path);
+}
+
+}  // namespace sandglass

@@ -1,0 +1,37 @@
+#include "sim/scene/read_sections.hpp"
+
+namespace sandglass {
+
+namespace {
+void read_fraction(Table& table, int dimension, Species& species) {
+  const std::string right = dimension == 2 ? "area-fraction" : "volume-fraction";
+  const std::string wrong = dimension == 2 ? "volume-fraction" : "area-fraction";
+  table.read(right, species.fraction);
+  table.refuse(wrong, "cannot be used in " + std::to_string(dimension) + " dimensions: use '" + right + "'");
+}
+
+void keep_one_amount(Table& table) {
+  std::vector<std::string> given;
+  for (const std::string key : {"count", "area-fraction", "volume-fraction", "number-density"})
+    if (table.has(key)) given.push_back(key);
+  const std::string choice =
+      "give exactly one of 'count', 'area-fraction' (2D), 'volume-fraction' (3D) or 'number-density'";
+  if (given.empty()) table.report_missing("count", choice);
+  for (std::size_t i = 1; i < given.size(); ++i)
+    table.refuse(given[i], "is given beside '" + given[0] + "'; " + choice);
+}
+}  // namespace
+
+void read_species(Table& table, int dimension, Species& species) {
+  table.read("name", species.name);
+  table.read("count", species.count);
+  read_fraction(table, dimension, species);
+  table.read("number-density", species.number_density);
+  keep_one_amount(table);
+  table.read("diameter", species.diameter);
+  table.read("mass", species.mass);
+  table.read("restitution", species.restitution);
+  table.finish();
+}
+
+}  // namespace sandglass

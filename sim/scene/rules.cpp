@@ -1,0 +1,49 @@
+#include "sim/scene/rules.hpp"
+
+#include "sim/scene/bounds.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace sandglass {
+
+namespace {
+struct Rule {
+  std::vector<std::string> rests_on;  ///< paths that must be free of faults for the rule to make sense
+  void (*check)(const Scene&, Diagnostics&);
+};
+
+const std::vector<Rule>& all_rules() {
+  static const std::vector<Rule> rules = {
+      {{}, check_run},
+      {{"domain.dimension"}, check_domain},
+      {{}, check_species},
+      {{}, check_method},
+      {{"domain", "species", "method"}, check_packing},
+      {{"domain", "method.cells", "method.cell-size"}, check_cells},
+      {{"domain", "forces"}, check_gravity},
+      {{"domain", "initial"}, check_initial},
+      {{"domain", "species", "method", "initial.positions"}, check_overlap},
+      {{"domain"}, check_observers},
+      {{"domain", "method", "species", "observe", "initial", "run", "output"}, check_reservoir},
+  };
+  return rules;
+}
+}  // namespace
+
+void check_rules(const Scene& scene, Diagnostics& diagnostics) {
+  for (const Rule& rule : all_rules()) {
+    const auto clean = [&diagnostics](const std::string& path) { return diagnostics.clean(path); };
+    if (std::all_of(rule.rests_on.begin(), rule.rests_on.end(), clean)) rule.check(scene, diagnostics);
+  }
+}
+
+void validate(const Scene& scene) {
+  Diagnostics diagnostics;
+  check_rules(scene, diagnostics);
+  diagnostics.raise();
+}
+
+std::string fraction_key(int dimension) { return dimension == 2 ? "area-fraction" : "volume-fraction"; }
+
+}  // namespace sandglass

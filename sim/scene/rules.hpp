@@ -1,0 +1,31 @@
+#pragma once
+
+#include "sim/scene/diagnostics.hpp"
+#include "sim/scene/scene.hpp"
+
+#include <string>
+
+// What the values of a scene may be: alone (bounds) and together. Each rule reports and goes on, so that one
+// reading shows every fault; a rule that rests on a value already reported is left out.
+
+namespace sandglass {
+
+/// Checks every rule on a scene and reports each fault.
+void check_rules(const Scene& scene, Diagnostics& diagnostics);
+
+void check_run(const Scene& scene, Diagnostics& diagnostics);
+void check_domain(const Scene& scene, Diagnostics& diagnostics);
+void check_species(const Scene& scene, Diagnostics& diagnostics);
+void check_packing(const Scene& scene, Diagnostics& diagnostics);
+void check_method(const Scene& scene, Diagnostics& diagnostics);
+void check_cells(const Scene& scene, Diagnostics& diagnostics);
+void check_gravity(const Scene& scene, Diagnostics& diagnostics);
+void check_initial(const Scene& scene, Diagnostics& diagnostics);
+void check_overlap(const Scene& scene, Diagnostics& diagnostics);
+void check_observers(const Scene& scene, Diagnostics& diagnostics);
+void check_reservoir(const Scene& scene, Diagnostics& diagnostics);
+
+/// "area-fraction" in two dimensions, "volume-fraction" in three.
+std::string fraction_key(int dimension);
+
+}  // namespace sandglass

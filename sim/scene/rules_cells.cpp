@@ -1,0 +1,56 @@
+#include "sim/scene/bounds.hpp"
+#include "sim/scene/catalogue.hpp"
+#include "sim/scene/rules.hpp"
+#include "sim/scene/words.hpp"
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+namespace {
+constexpr double most_cells = 2147483647;  // cell numbers are 32 bits wide
+
+/// Reports unusable numbers of cells; returns their product.
+double check_numbers(const Scene& scene, Diagnostics& diagnostics) {
+  const std::vector<std::uint64_t>& cells = scene.method.cells;
+  check_length(diagnostics, "method.cells", cells.size(), scene.domain.dimension);
+  double total = 1;
+  for (std::size_t axis = 0; axis < cells.size(); ++axis) {
+    const double number = static_cast<double>(cells[axis]);
+    check_bounds(diagnostics, item_path("method.cells", axis), number, between(1, most_cells));
+    total *= number;
+  }
+  return total;
+}
+
+/// Reports an edge wider than the domain; returns the number of cells that it makes.
+double check_size(const Domain& domain, double edge, Diagnostics& diagnostics) {
+  double total = 1;
+  for (std::size_t axis = 0; axis < domain.size.size(); ++axis) {
+    total *= domain.size[axis] / edge;
+    if (edge > domain.size[axis])
+      diagnostics.report("method.cell-size",
+                         fmt::format("'method.cell-size' is {}, wider than the domain along {} ({})", edge,
+                                     axis_words()[axis].first, domain.size[axis]));
+  }
+  return total;
+}
+}  // namespace
+
+void check_cells(const Scene& scene, Diagnostics& diagnostics) {
+  const Method& method = scene.method;
+  if (method.cells.empty() != method.cell_size.has_value()) {
+    if (method.preset != reservoir_preset)
+      diagnostics.report("method.cells",
+                         "'method' needs one of 'cells' (how many along each axis) and 'cell-size'");
+    return;
+  }
+  const double total = method.cell_size ? check_size(scene.domain, *method.cell_size, diagnostics)
+                                        : check_numbers(scene, diagnostics);
+  const std::string path = method.cell_size ? "method.cell-size" : "method.cells";
+  if (total > most_cells && diagnostics.clean(path))
+    diagnostics.report(
+        path, fmt::format("{} gives {:.3g} cells; at most {} are allowed", shown(path), total, most_cells));
+}
+
+}  // namespace sandglass

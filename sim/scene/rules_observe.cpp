@@ -1,0 +1,104 @@
+#include "sim/base/spelling.hpp"
+#include "sim/scene/bounds.hpp"
+#include "sim/scene/catalogue.hpp"
+#include "sim/scene/rules.hpp"
+#include "sim/scene/words.hpp"
+
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+namespace {
+constexpr double most_bins = 1e6;
+constexpr double most_field_bins = 1e8;
+
+bool check_axis(const Observe& observe, int dimension, const std::string& path, Diagnostics& diagnostics) {
+  if (observe.axis >= 0 && observe.axis < dimension) return true;
+  diagnostics.report(path + ".axis",
+                     fmt::format("{} must be {}", shown(path + ".axis"),
+                                 dimension == 2 ? "'x' or 'y' in 2 dimensions" : "'x', 'y' or 'z'"));
+  return false;
+}
+
+/// A plane in the wall or in the seam of a periodic domain would be crossed by nobody or twice.
+void check_plane(const Observe& observe, const Domain& domain, const std::string& path,
+                 Diagnostics& diagnostics) {
+  if (!diagnostics.clean(path + ".position")) return;
+  const double edge = domain.size[static_cast<std::size_t>(observe.axis)];
+  if (observe.position > 0 && observe.position < edge) return;
+  diagnostics.report(path + ".position",
+                     fmt::format("{} is {}, outside the domain; allowed: above 0 and below {}",
+                                 shown(path + ".position"), observe.position, edge));
+}
+
+void check_bins(const Observe& observe, const std::string& path, Diagnostics& diagnostics) {
+  check_bounds(diagnostics, path + ".bins", static_cast<double>(observe.bins), between(1, most_bins));
+  if (!observe.range) return;
+  const auto [low, high] = *observe.range;
+  const bool both = check_bounds(diagnostics, path + ".range", low, finite()) &&
+                    check_bounds(diagnostics, path + ".range", high, finite());
+  if (both && !(low < high))
+    diagnostics.report(path + ".range",
+                       fmt::format("{} goes from {} to {}; the first must be below the second",
+                                   shown(path + ".range"), low, high));
+}
+
+void check_grid(const Observe& observe, int dimension, const std::string& path, Diagnostics& diagnostics) {
+  if (!diagnostics.clean(path + ".grid")) return;
+  check_length(diagnostics, path + ".grid", observe.grid.size(), dimension);
+  double total = 1;
+  for (std::size_t axis = 0; axis < observe.grid.size(); ++axis) {
+    const double bins = static_cast<double>(observe.grid[axis]);
+    check_bounds(diagnostics, item_path(path + ".grid", axis), bins, between(1, most_bins));
+    total *= bins;
+  }
+  if (total > most_field_bins && diagnostics.clean(path + ".grid"))
+    diagnostics.report(path + ".grid", fmt::format("{} has {} bins; at most {} are allowed",
+                                                   shown(path + ".grid"), total, most_field_bins));
+}
+
+void check_shear_mode(const Domain& domain, const std::string& path, Diagnostics& diagnostics) {
+  if (domain.sides[0][0] == Side::periodic && domain.sides[1][0] == Side::periodic) return;
+  diagnostics.report(path + ".what",
+                     "the observer 'shear-mode' needs a domain that is periodic along x and y");
+}
+
+void check_observer(const Observe& observe, const Domain& domain, const std::string& path,
+                    Diagnostics& diagnostics) {
+  if (!find_observer(observe.what))
+    return diagnostics.report(path + ".what", unknown_word("what", observe.what, observer_names()));
+  const auto uses = [&observe](const char* key) { return observer_uses(observe.what, key); };
+  const bool axis_known = !uses("axis") || check_axis(observe, domain.dimension, path, diagnostics);
+  if (uses("position") && axis_known) check_plane(observe, domain, path, diagnostics);
+  if (uses("bins")) check_bins(observe, path, diagnostics);
+  if (uses("grid")) check_grid(observe, domain.dimension, path, diagnostics);
+  if (observe.what == "shear-mode") check_shear_mode(domain, path, diagnostics);
+}
+
+/// Two observers of the same thing would write under the same name.
+bool same_target(const Observe& a, const Observe& b) {
+  const auto target = [](const Observe& observe) {
+    const bool axis = observer_uses(observe.what, "axis"), plane = observer_uses(observe.what, "position");
+    return std::tuple(observe.what, axis ? observe.axis : 0, plane ? observe.position : 0.0);
+  };
+  return target(a) == target(b);
+}
+}  // namespace
+
+void check_observers(const Scene& scene, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < scene.observe.size(); ++i) {
+    const std::string path = item_path("observe", i);
+    if (!diagnostics.clean(path + ".what")) continue;
+    check_observer(scene.observe[i], scene.domain, path, diagnostics);
+    for (std::size_t j = 0; j < i; ++j)
+      if (same_target(scene.observe[i], scene.observe[j])) {
+        diagnostics.report(path,
+                           fmt::format("the observer '{}' is given twice; keep one", scene.observe[i].what));
+        break;
+      }
+  }
+}
+
+}  // namespace sandglass

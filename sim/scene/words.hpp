@@ -1,0 +1,37 @@
+#pragma once
+
+#include "sim/scene/scene.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sandglass {
+
+/// The words of a scene file for each value of an enumeration: one table for reader and writer.
+template <class Value>
+using Words = std::vector<std::pair<std::string, Value>>;
+
+const Words<int>& axis_words();  ///< "x", "y", "z"
+const Words<Side>& side_words();
+const Words<ContactFactor>& contact_factor_words();
+const Words<DensityEstimate>& density_words();
+const Words<Offset>& offset_words();
+const Words<Positions>& positions_words();
+
+template <class Value>
+std::string word_of(const Words<Value>& words, Value value) {
+  const auto match = [value](const auto& word) { return word.second == value; };
+  const auto found = std::find_if(words.begin(), words.end(), match);
+  return found == words.end() ? "" : found->first;
+}
+
+template <class Value>
+std::vector<std::string> names_of(const Words<Value>& words) {
+  std::vector<std::string> names;
+  for (const auto& word : words) names.push_back(word.first);
+  return names;
+}
+
+}  // namespace sandglass

@@ -1,0 +1,100 @@
+#include "sim/scene/catalogue.hpp"
+#include "sim/scene/rules.hpp"
+#include "sim/scene/write_value.hpp"
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+namespace {
+void write_run(Lines& lines, const Run& run) {
+  lines.header("[run]");
+  lines.add("seed", run.seed);
+  lines.add("replicas", run.replicas);
+  lines.add("duration", run.duration);
+}
+
+void write_domain(Lines& lines, const Domain& domain) {
+  lines.header("[domain]");
+  lines.add("dimension", domain.dimension);
+  lines.add("size", domain.size);
+  lines.header("[domain.sides]");
+  for (std::size_t axis = 0; axis < domain.sides.size(); ++axis) {
+    const auto& [low, high] = domain.sides[axis];
+    lines.add(axis_words()[axis].first, std::vector{word_of(side_words(), low), word_of(side_words(), high)});
+  }
+}
+
+void write_species(Lines& lines, const Species& species, int dimension) {
+  lines.header("[[species]]");
+  lines.add("name", species.name);
+  lines.add("count", species.count);
+  lines.add(fraction_key(dimension), species.fraction);
+  lines.add("number-density", species.number_density);
+  lines.add("diameter", species.diameter);
+  lines.add("mass", species.mass);
+  lines.add("restitution", species.restitution);
+}
+
+void write_method(Lines& lines, const Method& method) {
+  lines.header("[method]");
+  lines.add("preset", method.preset);
+  lines.add("contact-factor", word_of(contact_factor_words(), method.contact_factor));
+  lines.add("density", word_of(density_words(), method.density));
+  lines.add("offset", word_of(offset_words(), method.offset));
+  if (method.offset == Offset::random) lines.add("random-offset", method.random_offset);
+  if (!method.cells.empty()) lines.add("cells", method.cells);
+  lines.add("cell-size", method.cell_size);
+  lines.add("time-step", method.time_step);
+  lines.add("weight", method.weight);
+}
+
+void write_initial(Lines& lines, const Initial& initial) {
+  lines.header("[initial]");
+  lines.add("positions", word_of(positions_words(), initial.positions));
+  lines.add("temperature", initial.temperature);
+  if (!initial.velocity.empty()) lines.add("velocity", initial.velocity);
+  lines.add("exact", initial.exact);
+  lines.add("shear-wave", initial.shear_wave);
+  lines.add("equilibrate-collisions-per-particle", initial.equilibrate_collisions);
+}
+
+void write_observe(Lines& lines, const Observe& observe) {
+  const auto uses = [&observe](const char* key) { return observer_uses(observe.what, key); };
+  lines.header("[[observe]]");
+  lines.add("what", observe.what);
+  lines.add("every", observe.cadence);
+  if (uses("axis")) lines.add("axis", word_of(axis_words(), observe.axis));
+  if (uses("position")) lines.add("position", observe.position);
+  if (uses("range")) lines.add("range", observe.range);
+  if (uses("bins")) lines.add("bins", observe.bins);
+  if (uses("grid")) lines.add("grid", observe.grid);
+}
+
+void write_output(Lines& lines, const Output& output) {
+  lines.header("[output]");
+  lines.add("record", output.record);
+  lines.add("trajectory", output.trajectory);
+  lines.add("ids", output.ids);
+  lines.add("checkpoint", output.checkpoint);
+}
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+  Lines lines;
+  lines.add("title", scene.title);
+  write_run(lines, scene.run);
+  write_domain(lines, scene.domain);
+  for (const Species& species : scene.species) write_species(lines, species, scene.domain.dimension);
+  write_method(lines, scene.method);
+  if (!scene.gravity.empty()) {
+    lines.header("[forces]");
+    lines.add("gravity", scene.gravity);
+  }
+  write_initial(lines, scene.initial);
+  for (const Observe& observe : scene.observe) write_observe(lines, observe);
+  write_output(lines, scene.output);
+  return lines.text();
+}
+
+}  // namespace sandglass
