@@ -9,7 +9,7 @@ logs=$top/build/log
 bad_input=2
 broke=3
 
-# step NAME TEXT COMMAND...: one line on the screen, the output in build/log/NAME.log, its end when COMMAND fails.
+# step NAME TEXT COMMAND...: one line on the screen, the output in build/log/NAME.log, its end upon failure.
 step() {
   local name=$1 text=$2 started=$SECONDS status=0
   shift 2
@@ -19,8 +19,9 @@ step() {
   if ((status == 0)); then
     printf 'ok, %d s\n' $((SECONDS - started))
   else
-    printf 'failed with exit code %d after %d s; end of build/log/%s.log:\n' "$status" $((SECONDS - started)) "$name"
+    printf 'failed with exit code %d after %d s; the end of its log:\n' "$status" $((SECONDS - started))
     tail -n 40 "$logs/$name.log" | sed 's/^/  | /'
+    printf '  whole log: %s\n' "$logs/$name.log"
   fi
   return "$status"
 }
@@ -85,7 +86,8 @@ missing_packages() {
   dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null |
     awk -v wanted="${wanted[*]}" '
       $2 == "installed" { have[$1] }
-      END { n = split(wanted, name, " "); for (i = 1; i <= n; i++) if (!(name[i] in have)) print name[i] }' || true
+      END { n = split(wanted, name, " ")
+            for (i = 1; i <= n; i++) if (!(name[i] in have)) print name[i] }' || true
 }
 
 as_root() {
@@ -106,22 +108,25 @@ install_packages() {
   local -a missing
   mapfile -t missing < <(missing_packages "${@:2}")
   if ((${#missing[@]} == 0)); then return; fi
-  local command="apt-get install --no-install-recommends ${missing[*]}"
-  if [[ $may_install == no ]]; then refuse "missing packages, and --no-install was given; remedy: $command"; fi
-  if ((EUID != 0)) && ! command -v sudo >/dev/null; then refuse "missing packages, and no sudo; as root: $command"; fi
+  local remedy="as root: apt-get install --no-install-recommends ${missing[*]}"
+  if [[ $may_install == no ]]; then refuse "missing packages, and --no-install was given; $remedy"; fi
+  if ((EUID != 0)) && ! command -v sudo >/dev/null; then
+    refuse "missing packages, and no sudo; $remedy"
+  fi
   printf 'missing packages: %s\n' "${missing[*]}"
   as_root true # sudo asks for its password here, where it can be seen
   step packages-update 'updating package lists' update_package_lists ||
     printf 'note: package lists could not be updated; trying with those that are here\n'
-  step packages-install "installing ${#missing[@]} packages" apt install --no-install-recommends "${missing[@]}" ||
-    exit "$broke"
+  step packages-install "installing ${#missing[@]} packages" \
+    apt install --no-install-recommends "${missing[@]}" || exit "$broke"
 }
 
 # find_python MODULE...: prints the first interpreter that can import them all.
 find_python() {
-  local candidate
-  for candidate in "${SANDGLASS_PYTHON:-}" "${VIRTUAL_ENV:+$VIRTUAL_ENV/bin/python3}" python3 /usr/bin/python3; do
-    if [[ -n $candidate ]] && "$candidate" -c "import $(IFS=, && printf '%s' "$*")" >/dev/null 2>&1; then
+  local candidate modules=$*
+  local environment=${VIRTUAL_ENV:+$VIRTUAL_ENV/bin/python3}
+  for candidate in "${SANDGLASS_PYTHON:-}" "$environment" python3 /usr/bin/python3; do
+    if [[ -n $candidate ]] && "$candidate" -c "import ${modules// /, }" >/dev/null 2>&1; then
       command -v "$candidate"
       return
     fi
@@ -129,8 +134,8 @@ find_python() {
   return 1
 }
 
-# prepare MAY_INSTALL "PYTHON_GROUP..." GROUP...: installs what is missing and sets `python`, an interpreter that
-# can import every module of the Python groups. A Python of the user's own that can needs no package.
+# prepare MAY_INSTALL "PYTHON_GROUP..." GROUP...: installs what is missing and sets `python`, an interpreter
+# with every module of the Python groups. Someone's own Python that has them needs no package.
 prepare() {
   local may_install=$1 groups=("${@:3}")
   local -a python_groups modules
@@ -150,11 +155,5 @@ configure() {
     grep -qx "CMAKE_HOME_DIRECTORY:INTERNAL=$top" "$cache"; then
     return
   fi
-  step configure 'configuring build/release' \
-    cmake -S "$top" --fresh --preset release -DSANDGLASS_WARNINGS_AS_ERRORS=ON
-}
-
-# build_targets TARGET...
-build_targets() {
-  step build "building $*" ninja -C "$build" "$@"
+  cmake -S "$top" --fresh --preset release -DSANDGLASS_WARNINGS_AS_ERRORS=ON
 }
