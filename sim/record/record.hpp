@@ -1,12 +1,12 @@
 #pragma once
 
+#include "sim/base/series.hpp"
+
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "sim/base/series.hpp"
 
 namespace sandglass {
 
@@ -19,7 +19,8 @@ struct Provenance {
   std::string mutation;  ///< planted fault of the mutant suite; empty in every honest run
 };
 
-/// Positions and velocities at one instant: position[particle][axis], row major. `id` is empty unless the scene keeps ids.
+/// Positions and velocities at one instant: position[particle][axis], row major. `id` is empty unless the
+/// scene keeps ids.
 struct Frame {
   std::uint64_t step = 0;
   double time = 0;
@@ -40,30 +41,33 @@ struct State {
   std::uint64_t step = 0;
   double time = 0;
   Frame particles;
-  std::vector<Series> series;                          ///< samples of the unfinished replica so far
+  std::vector<Series> series;  ///< samples of the unfinished replica so far
   std::map<std::string, double> counters;
-  std::map<std::string, std::vector<double>> memory;   ///< running sums of observers and of the method, by name
+  std::map<std::string, std::vector<double>>
+      memory;  ///< running sums of observers and of the method, by name
 };
 
 /// The result of one run: everything that a check, a figure or a restart needs.
 struct Record {
-  std::string scene;                     ///< the scene as resolved, in TOML
+  std::string scene;  ///< the scene as resolved, in TOML
   Provenance provenance;
   int dimension = 2;
-  std::vector<double> box_size;          ///< [dimension]
-  std::vector<std::string> boundary;     ///< [dimension], "periodic" or "none" (H5MD words)
+  std::vector<double> box_size;       ///< [dimension]
+  std::vector<std::string> boundary;  ///< [dimension], "periodic" or "none" (H5MD words)
   std::vector<Replica> replicas;
-  std::vector<Estimate> estimates;       ///< over all finished replicas
-  std::vector<Frame> trajectory;         ///< of the first replica, when the scene asks for it
-  std::map<std::string, double> timings; ///< "cpu-seconds", "wall-seconds", "peak-bytes", "bytes-per-particle", ...
-  std::optional<State> state;            ///< present in checkpoints only
+  std::vector<Estimate> estimates;  ///< over all finished replicas
+  std::vector<Frame> trajectory;    ///< of the first replica, when the scene asks for it
+  std::map<std::string, double>
+      timings;                 ///< "cpu-seconds", "wall-seconds", "peak-bytes", "bytes-per-particle", ...
+  std::optional<State> state;  ///< present in checkpoints only
 };
 
-/// Writes to a new file beside `path`, flushes it to disk and renames it: a crash leaves the previous file whole.
-/// Throws RunError naming the path and the reason (disk full, no such folder, not writable).
+/// Writes to a new file beside `path`, flushes it to disk and renames it: a crash leaves the previous file
+/// whole. Throws RunError naming the path and the reason (disk full, no such folder, not writable).
 void write_record(const std::string& path, const Record& record);
 
-/// Throws InputError when the file is missing, truncated, not a Sandglass record, or of another schema version.
+/// Throws InputError when the file is missing, truncated, not a Sandglass record, or of another schema
+/// version.
 Record read_record(const std::string& path);
 
 }  // namespace sandglass
