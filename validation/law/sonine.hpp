@@ -3,7 +3,8 @@
 namespace sandglass::law {
 
 /// First Sonine coefficient of the homogeneous cooling state, van Noije & Ernst (1998):
-/// f(c) = phi(c) (1 + a2 S2(c^2)). Independent of density; |a2| < 0.2, error O(a2^2).
+/// f(c) = phi(c) (1 + a2 S2(c^2)). Independent of density; error O(a2^2), with
+/// |a2| below 0.1 for r > 0.5 and up to 0.28 (2D, r = 0).
 double sonine_a2(int dimension, double restitution);
 
 /// a2 from the same two collisional moments with the stationarity condition linearised in the form

@@ -1,0 +1,80 @@
+#include "validation/law/contact.hpp"
+
+#include "validation/law/quadrature.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace sandglass::law {
+namespace {
+
+using std::numbers::pi;
+
+/// B3/B2^2 from the overlap of two exclusion regions of radius d = 1: (1/3) int_{r<1} overlap(r) dr / B2^2.
+double third_virial_ratio(int dimension) {
+  const auto integrand = [=](double r) {
+    if (dimension == 2) return 2 * pi * r * (2 * std::acos(r / 2) - r / 2 * std::sqrt(4 - r * r));
+    return 4 * pi * r * r * 4 * pi / 3 * (1 - 0.75 * r + r * r * r / 16);
+  };
+  const double second = dimension == 2 ? pi / 2 : 2 * pi / 3;
+  return quadrature::integral(integrand, 0, 1) / 3 / (second * second);
+}
+
+double difference_quotient(int dimension, double fraction) {
+  const double h = 1e-4;
+  return (contact_value(dimension, fraction + h) - contact_value(dimension, fraction - h)) / (2 * h);
+}
+
+TEST(ContactValue, IsOneForADiluteGas) {
+  for (int dimension : {2, 3}) {
+    EXPECT_DOUBLE_EQ(contact_value(dimension, 0), 1);
+    EXPECT_DOUBLE_EQ(virial_contact_value(dimension, 0), 1);
+  }
+}
+
+TEST(ContactValue, VirialSlopeIsTheOverlapIntegral) {
+  for (int dimension : {2, 3}) {
+    const double h = 1e-7;
+    const double excluded = (dimension == 2 ? 2 : 4) * h;
+    EXPECT_NEAR((virial_contact_value(dimension, h) - 1) / excluded, third_virial_ratio(dimension), 1e-6);
+  }
+}
+
+TEST(ContactValue, FirstOrderInDensityIsExactForSpheresAndNearForDisks) {
+  EXPECT_NEAR(contact_value_slope(3, 0), 4 * third_virial_ratio(3), 1e-9);
+  EXPECT_NEAR(contact_value_slope(2, 0), 2 * third_virial_ratio(2), 0.002);
+}
+
+TEST(ContactValue, SlopeIsTheDerivative) {
+  for (int dimension : {2, 3})
+    for (double fraction : {0.05, 0.25, 0.45})
+      EXPECT_NEAR(contact_value_slope(dimension, fraction) / difference_quotient(dimension, fraction), 1,
+                  1e-6);
+}
+
+// Henderson and Carnahan & Starling are good to about 0.3% at moderate density: the virial series must say
+// so.
+TEST(ContactValue, ClosedFormsAgreeWithTheVirialSeries) {
+  EXPECT_NEAR(contact_value(2, 0.05) / virial_contact_value(2, 0.05), 1, 3e-4);
+  EXPECT_NEAR(contact_value(2, 0.25) / virial_contact_value(2, 0.25), 1, 3e-3);
+  EXPECT_NEAR(contact_value(3, 0.05) / virial_contact_value(3, 0.05), 1, 1e-3);
+  EXPECT_NEAR(contact_value(3, 0.2) / virial_contact_value(3, 0.2), 1, 3e-3);
+}
+
+TEST(ContactValue, FourthVirialCoefficientsAreTheExactOnes) {
+  const double disks = 2 - 9 * std::sqrt(3) / (2 * pi) + 10 / (pi * pi);
+  const double spheres = (2707 * pi + 438 * std::sqrt(2) - 4131 * std::acos(1.0 / 3)) / (4480 * pi);
+  const auto second_difference = [](int dimension, double h) {
+    const double excluded = (dimension == 2 ? 2 : 4) * h;
+    return (virial_contact_value(dimension, h) - 2 * virial_contact_value(dimension, 0) +
+            virial_contact_value(dimension, -h)) /
+           (2 * excluded * excluded);
+  };
+  EXPECT_NEAR(second_difference(2, 1e-4), disks, 2e-7);
+  EXPECT_NEAR(second_difference(3, 1e-4), spheres, 2e-7);
+}
+
+}  // namespace
+}  // namespace sandglass::law
