@@ -7,10 +7,11 @@ namespace sandglass {
 
 /// What a value may differ from its expectation by, and why; absolute, in the units of the value.
 struct Budget {
-  double reference = 0;    ///< standard error of the expected value itself
-  double systematic = 0;   ///< stated bound: finite N, time step, cell size, order of the theory
-  std::string reason;      ///< where the systematic part comes from, in words
-  double resolution = 0;   ///< smallest deviation that the check must be able to see; wider error bars are inconclusive
+  double reference = 0;   ///< standard error of the expected value itself
+  double systematic = 0;  ///< stated bound: finite N, time step, cell size, order of the theory
+  std::string reason;     ///< where the systematic part comes from, in words
+  double resolution =
+      0;  ///< smallest deviation that the check must be able to see; wider error bars are inconclusive
 };
 
 /// Data against theory, as a figure shows it. All arrays of a set have the same length.
@@ -22,8 +23,8 @@ struct Figure {
   };
   struct Points {
     std::string name;
-    std::vector<double> x, y, error;   ///< error: one standard error
-    std::vector<double> expected;      ///< theory at the same x, for the residuals; may be empty
+    std::vector<double> x, y, error;  ///< error: one standard error
+    std::vector<double> expected;     ///< theory at the same x, for the residuals; may be empty
   };
   struct Line {
     std::string name;
@@ -37,16 +38,17 @@ struct Figure {
 
 /// What a check found: numbers, never a verdict.
 struct Evidence {
-  std::string check;       ///< name in the registry of checks
-  std::string summary;     ///< what was compared with what, one sentence
-  std::string law;         ///< law in the registry; empty when the expectation is a conservation law or a reference run
-  std::string units;
+  std::string check;    ///< name in the registry of checks
+  std::string summary;  ///< what was compared with what, one sentence
+  std::string
+      law;  ///< law in the registry; empty when the expectation is a conservation law or a reference run
+  std::string units = "1";  ///< "1": a pure number
   double value = 0;
   double standard_error = 0;
   double degrees_of_freedom = 0;  ///< of the standard error (Student's t); 0 when it is known, not estimated
   double expected = 0;
   Budget budget;
-  int comparisons = 1;     ///< independent comparisons behind the value (largest of k deviations, say)
+  int comparisons = 1;  ///< independent comparisons behind the value (largest of k deviations, say)
   std::vector<Figure> figures;
 };
 

@@ -1,0 +1,119 @@
+#include "validation/check/check.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/base/spelling.hpp"
+#include "validation/check/families.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+namespace {
+std::vector<CheckInfo> join_families() {
+  std::vector<CheckInfo> all;
+  for (const auto& family : {collision_checks, pressure_checks, conservation_checks, moment_checks,
+                             distribution_checks, cooling_checks, flux_checks, shear_checks})
+    for (CheckInfo& check : family()) all.push_back(std::move(check));
+  return all;
+}
+
+std::vector<std::string> names_of(const std::vector<law::Parameter>& parameters) {
+  std::vector<std::string> names;
+  for (const law::Parameter& parameter : parameters) names.push_back(parameter.name);
+  return names;
+}
+
+void check_range(const CheckInfo& check, const law::Parameter& parameter, double value) {
+  if (value >= parameter.low && value <= parameter.high) return;
+  throw InputError(fmt::format("'{}' of check '{}' is {}: give a number from {} to {}", parameter.name,
+                               check.name, value, parameter.low, parameter.high));
+}
+
+/// The case's numbers, checked, with the fallbacks of those it leaves out.
+law::Arguments complete(const CheckInfo& check, const law::Arguments& given) {
+  law::Arguments numbers;
+  for (const law::Parameter& parameter : check.parameters) {
+    const auto found = given.find(parameter.name);
+    if (found == given.end() && !parameter.fallback)
+      throw InputError(
+          fmt::format("check '{}' needs '{}': {}", check.name, parameter.name, parameter.summary));
+    const double value = found == given.end() ? *parameter.fallback : found->second;
+    check_range(check, parameter, value);
+    numbers[parameter.name] = value;
+  }
+  for (const auto& [name, value] : given)
+    if (!numbers.contains(name))
+      throw InputError(
+          unknown_word("parameter of check '" + check.name + "'", name, names_of(check.parameters)));
+  return numbers;
+}
+
+void add_case_budget(const CheckInfo& check, const Settings& settings, Evidence& evidence) {
+  const double scale = check.relative ? std::abs(evidence.expected) : 1;
+  evidence.budget.systematic += settings.systematic * scale;
+  evidence.budget.resolution = settings.resolution * scale;
+  if (!settings.reason.empty())
+    evidence.budget.reason += (evidence.budget.reason.empty() ? "" : "; ") + settings.reason;
+}
+
+bool is_periodic(const std::array<Side, 2>& sides) {
+  return sides[0] == Side::periodic && sides[1] == Side::periodic;
+}
+}  // namespace
+
+const std::vector<CheckInfo>& all_checks() {
+  static const std::vector<CheckInfo> all = join_families();
+  return all;
+}
+
+const CheckInfo& find_check(const std::string& name) {
+  std::vector<std::string> names;
+  for (const CheckInfo& check : all_checks()) {
+    if (check.name == name) return check;
+    names.push_back(check.name);
+  }
+  throw InputError(unknown_word("check", name, names));
+}
+
+std::vector<const CheckInfo*> checks_for(const Record& record) {
+  const Subject subject(record);
+  std::vector<const CheckInfo*> fitting;
+  for (const CheckInfo& check : all_checks()) {
+    const auto measured = [&](const std::string& quantity) { return subject.has(quantity); };
+    if (check.applies(subject.scene()) && std::all_of(check.needs.begin(), check.needs.end(), measured))
+      fitting.push_back(&check);
+  }
+  return fitting;
+}
+
+Evidence run_check(const CheckInfo& check, const Record& record, const Settings& settings) {
+  const Subject subject(record);
+  Evidence evidence = check.evaluate(subject, complete(check, settings.numbers));
+  evidence.check = check.name;
+  evidence.law = check.law;
+  if (evidence.summary.empty()) evidence.summary = check.summary;
+  add_case_budget(check, settings, evidence);
+  return evidence;
+}
+
+bool is_uniform(const Scene& scene) {
+  const auto& sides = scene.domain.sides;
+  const auto& gravity = scene.gravity;
+  return scene.species.size() == 1 && std::all_of(sides.begin(), sides.end(), is_periodic) &&
+         std::all_of(gravity.begin(), gravity.end(), [](double component) { return component == 0; });
+}
+
+bool is_equilibrium(const Scene& scene) {
+  return is_uniform(scene) && scene.species.front().restitution == 1 && !scene.initial.shear_wave &&
+         scene.method.preset != "reservoir";
+}
+
+bool is_cooling(const Scene& scene) {
+  return is_uniform(scene) && scene.species.front().restitution < 1 && !scene.initial.shear_wave &&
+         scene.method.preset != "reservoir";
+}
+
+}  // namespace sandglass

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "validation/check/check.hpp"
+
+#include <vector>
+
+// One function per file of checks; check.cpp joins them into the registry.
+
+namespace sandglass {
+
+std::vector<CheckInfo> collision_checks();
+std::vector<CheckInfo> pressure_checks();
+std::vector<CheckInfo> conservation_checks();
+std::vector<CheckInfo> moment_checks();
+std::vector<CheckInfo> distribution_checks();
+std::vector<CheckInfo> cooling_checks();
+std::vector<CheckInfo> flux_checks();
+std::vector<CheckInfo> shear_checks();
+
+/// One species, periodic on every side, no forces: what the laws of a uniform gas assume.
+bool is_uniform(const Scene& scene);
+/// is_uniform, elastic and without a shear wave: stationary from time zero.
+bool is_equilibrium(const Scene& scene);
+/// is_uniform and dissipative.
+bool is_cooling(const Scene& scene);
+
+}  // namespace sandglass

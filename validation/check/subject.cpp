@@ -1,0 +1,110 @@
+#include "validation/check/subject.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/base/spelling.hpp"
+#include "validation/law/enskog.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+namespace {
+constexpr std::size_t enough_replicas = 8;
+
+double mean(const std::vector<double>& samples) { return mean_of_independent(samples).value; }
+
+/// Linear between samples; the ends hold outside.
+double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  const auto upper = std::lower_bound(x.begin(), x.end(), at);
+  if (upper == x.begin()) return y.front();
+  if (upper == x.end()) return y.back();
+  const auto i = static_cast<std::size_t>(upper - x.begin());
+  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+}
+}  // namespace
+
+Subject::Subject(const Record& record)
+    : record_(&record), scene_(read_scene_text(record.scene, "scene of the record")) {
+  if (record.replicas.empty())
+    throw InputError(
+        "the record holds no finished replica: resume the run that wrote it, or run its scene again");
+  particles_ = static_cast<double>(particle_count(scene_, species()));
+}
+
+double Subject::particles_per_cell() const {
+  const Method& method = scene_.method;
+  double cells = 1;
+  for (std::uint64_t count : method.cells) cells *= static_cast<double>(count);
+  if (method.cells.empty() && !method.cell_size) return 0;
+  if (method.cells.empty())
+    for (double edge : scene_.domain.size) cells *= std::max(1.0, std::round(edge / *method.cell_size));
+  return particles_ / cells;
+}
+
+double Subject::collisions_per_step() const {
+  if (scene_.method.time_step.collisions) return *scene_.method.time_step.collisions;
+  return scene_.method.time_step.fixed.value_or(0) * law::collision_rate(gas(scene_.initial.temperature));
+}
+
+law::Gas Subject::gas(double temperature) const {
+  return {dimension(), species().diameter,          species().mass,
+          temperature, fraction(scene_, species()), species().restitution};
+}
+
+bool Subject::has(const std::string& quantity) const {
+  const std::vector<Series>& all = record_->replicas.front().series;
+  return std::any_of(all.begin(), all.end(), [&](const Series& s) { return s.quantity.name == quantity; });
+}
+
+const Series& Subject::series(std::size_t replica, const std::string& quantity) const {
+  for (const Series& series : record_->replicas.at(replica).series)
+    if (series.quantity.name == quantity) return series;
+  throw InputError(
+      fmt::format("the record has no series '{}': add the observer to the scene and run it again", quantity));
+}
+
+std::vector<double> Subject::column(std::size_t replica, const std::string& quantity,
+                                    const std::string& component) const {
+  const Series& found = series(replica, quantity);
+  const std::vector<std::string>& names = found.quantity.components;
+  const auto name = std::find(names.begin(), names.end(), component);
+  if (name == names.end() && !(component.empty() && found.quantity.size() == 1))
+    throw InputError(unknown_word("component of '" + quantity + "'", component, names));
+  const std::size_t width = found.quantity.size();
+  const std::size_t offset = component.empty() ? 0 : static_cast<std::size_t>(name - names.begin());
+  std::vector<double> column(found.samples());
+  for (std::size_t i = 0; i < column.size(); ++i) column[i] = found.value.at(i * width + offset);
+  return column;
+}
+
+std::vector<double> Subject::collisions_per_particle(std::size_t replica,
+                                                     const Series& series_of_times) const {
+  const std::vector<double> times = series(replica, "collisions").time;
+  const std::vector<double> collisions = column(replica, "collisions", "");
+  std::vector<double> result;
+  for (double time : series_of_times.time)
+    result.push_back(2 / particles_ * interpolated(times, collisions, time));
+  return result;
+}
+
+double Subject::mean_temperature() const {
+  double sum = 0;
+  for (std::size_t replica = 0; replica < replicas(); ++replica)
+    sum += mean(column(replica, "temperature", "total"));
+  return sum / static_cast<double>(replicas());
+}
+
+Mean pooled(const std::vector<std::vector<double>>& samples_of_replicas) {
+  std::vector<double> values;
+  std::vector<Mean> means;
+  for (const std::vector<double>& samples : samples_of_replicas) {
+    means.push_back(mean_of_correlated(samples));
+    values.push_back(means.back().value);
+  }
+  return values.size() >= enough_replicas ? mean_of_independent(values) : average(means);
+}
+
+}  // namespace sandglass
