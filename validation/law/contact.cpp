@@ -1,7 +1,8 @@
 #include "validation/law/contact.hpp"
 
+#include "sim/base/error.hpp"
+
 #include <array>
-#include <cmath>
 
 namespace sandglass::law {
 
@@ -25,11 +26,15 @@ double contact_value_slope(int dimension, double fraction) {
                         : (2.5 - fraction) / (room * room * room * room);
 }
 
+double virial_ratio(int dimension, int k) {
+  SANDGLASS_EXPECT(k >= 2 && k <= 10);
+  return (dimension == 2 ? kDisks : kSpheres)[k - 2];
+}
+
 double virial_contact_value(int dimension, double fraction) {
-  const VirialSeries& series = dimension == 2 ? kDisks : kSpheres;
   const double excluded = (dimension == 2 ? 2 : 4) * fraction;
   double sum = 0;
-  for (auto term = series.rbegin(); term != series.rend(); ++term) sum = sum * excluded + *term;
+  for (int k = 10; k >= 2; --k) sum = sum * excluded + virial_ratio(dimension, k);
   return sum;
 }
 

@@ -9,8 +9,11 @@ double contact_value(int dimension, double fraction);
 /// dg/dnu of contact_value.
 double contact_value_slope(int dimension, double fraction);
 
-/// g(nu) from the virial series up to B10 (Clisby & McCoy 2006, table 1; B2-B4 exact). The terms left out
-/// are below 1e-4 of g for nu < 0.30 (disks) and nu < 0.24 (spheres), where it is the sharper reference.
+/// B_k / B_2^(k-1) for k = 2..10, Clisby & McCoy (2006) table 1, with B2-B4 exact.
+double virial_ratio(int dimension, int k);
+
+/// g(nu) from the virial series up to B10. The terms left out are below 1e-4 of g for nu < 0.30 (disks) and
+/// nu < 0.24 (spheres), where it is the sharper reference.
 double virial_contact_value(int dimension, double fraction);
 
 }  // namespace sandglass::law

@@ -63,17 +63,33 @@ TEST(ContactValue, ClosedFormsAgreeWithTheVirialSeries) {
   EXPECT_NEAR(contact_value(3, 0.2) / virial_contact_value(3, 0.2), 1, 3e-3);
 }
 
-TEST(ContactValue, FourthVirialCoefficientsAreTheExactOnes) {
+TEST(VirialRatio, OfOrderThreeAndFourIsExact) {
   const double disks = 2 - 9 * std::sqrt(3) / (2 * pi) + 10 / (pi * pi);
   const double spheres = (2707 * pi + 438 * std::sqrt(2) - 4131 * std::acos(1.0 / 3)) / (4480 * pi);
-  const auto second_difference = [](int dimension, double h) {
-    const double excluded = (dimension == 2 ? 2 : 4) * h;
-    return (virial_contact_value(dimension, h) - 2 * virial_contact_value(dimension, 0) +
-            virial_contact_value(dimension, -h)) /
-           (2 * excluded * excluded);
-  };
-  EXPECT_NEAR(second_difference(2, 1e-4), disks, 2e-7);
-  EXPECT_NEAR(second_difference(3, 1e-4), spheres, 2e-7);
+  for (int dimension : {2, 3}) EXPECT_NEAR(virial_ratio(dimension, 3), third_virial_ratio(dimension), 1e-8);
+  EXPECT_NEAR(virial_ratio(2, 4), disks, 1e-8);
+  EXPECT_NEAR(virial_ratio(3, 4), spheres, 1e-8);
+}
+
+// The closed forms expand to (k + (k-2)/8)/2^(k-1) and (k^2+k-2)/4^(k-1), a few per cent above the true
+// values at high order: near enough to catch a slip of the pen in any of the published numbers.
+TEST(VirialRatio, LiesJustBelowTheClosedForms) {
+  for (int k = 5; k <= 10; ++k) {
+    const double henderson = (k + (k - 2) / 8.0) / std::pow(2, k - 1);
+    const double carnahan_starling = (k * k + k - 2) / std::pow(4, k - 1);
+    EXPECT_GT(virial_ratio(2, k) / henderson, 1 - 0.008 * k) << k;
+    EXPECT_LT(virial_ratio(2, k) / henderson, 1) << k;
+    EXPECT_GT(virial_ratio(3, k) / carnahan_starling, 1 - 0.003 * k) << k;
+    EXPECT_LT(virial_ratio(3, k) / carnahan_starling, 1.01) << k;
+  }
+}
+
+TEST(VirialContactValue, SumsTheSeries) {
+  for (int dimension : {2, 3}) {
+    double expected = 0;
+    for (int k = 2; k <= 10; ++k) expected += virial_ratio(dimension, k) * std::pow(0.8, k - 2);
+    EXPECT_NEAR(virial_contact_value(dimension, dimension == 2 ? 0.4 : 0.2), expected, 1e-14);
+  }
 }
 
 }  // namespace
