@@ -1,8 +1,8 @@
 #include "sim/record/record.hpp"
 
 #include "sim/base/error.hpp"
-#include "sim/record/atomic_file.hpp"
 #include "sim/record/hdf5/file.hpp"
+#include "sim/record/hdf5/whole_file.hpp"
 #include "sim/record/schema/names.hpp"
 #include "sim/record/schema/particles.hpp"
 #include "sim/record/schema/provenance.hpp"
@@ -18,10 +18,6 @@
 
 namespace sandglass {
 namespace {
-
-hdf5::Writer root_of(const hdf5::Handle& file) {
-  return hdf5::Writer(hdf5::Handle(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose));
-}
 
 void write_h5md(const hdf5::Writer& file, const Record& record) {
   schema::write_convention(file, record.provenance);
@@ -45,22 +41,6 @@ void write_sandglass(const hdf5::Writer& file, const Record& record) {
   schema::write_series(group.group(schema::names::series), lists);
   schema::write_estimates(group.group(schema::names::estimates), record.estimates);
   if (record.state) schema::write_state(group.group(schema::names::state), *record.state, record.dimension);
-}
-
-/// HDF5 cannot let go of a file whose last bytes do not fit (it crashes at the end of MPI): what was written
-/// is given back to the disk first.
-void write_hdf5(AtomicFile& target, const Record& record) {
-  hdf5::Handle file = hdf5::create_file(target.part());
-  try {
-    write_h5md(root_of(file), record);
-    write_sandglass(root_of(file), record);
-    hdf5::require(H5Fflush(file, H5F_SCOPE_LOCAL));
-  } catch (const hdf5::Failure& failure) {
-    const std::string refusal = target.refusal();
-    target.empty();
-    throw hdf5::Failure(refusal.empty() ? failure.what() : refusal);
-  }
-  file.close();
 }
 
 Record read_hdf5(const std::string& path) {
@@ -98,14 +78,10 @@ void require_readable(const std::string& path) {
 }  // namespace
 
 void write_record(const std::string& path, const Record& record) {
-  const hdf5::Session session;
-  AtomicFile file(path);
-  try {
-    write_hdf5(file, record);
-  } catch (const hdf5::Failure& failure) {
-    throw RunError("cannot write '" + path + "': " + failure.what());
-  }
-  file.commit();
+  hdf5::write_whole_file(path, [&](const hdf5::Writer& root) {
+    write_h5md(root, record);
+    write_sandglass(root, record);
+  });
 }
 
 Record read_record(const std::string& path) {

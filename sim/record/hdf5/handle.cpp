@@ -11,7 +11,8 @@ std::mutex& library_mutex() {
   return mutex;
 }
 
-/// At exit the library would flush what a full disk refused before, and crash. All that matters is closed by then.
+/// At exit the library would flush what a full disk refused before, and crash. All that matters is closed by
+/// then.
 bool leave_exit_alone() {
   static const bool done = H5dont_atexit() >= 0;
   return done;

@@ -31,17 +31,6 @@ std::vector<T> cut(const std::vector<T>& all, std::size_t frame, std::size_t row
   return std::vector<T>(begin, begin + static_cast<std::ptrdiff_t>(count));
 }
 
-void write_clock(const hdf5::Writer& element, const std::vector<Frame>& frames) {
-  std::vector<double> times;
-  std::vector<std::uint64_t> steps;
-  for (const Frame& frame : frames) {
-    times.push_back(frame.time);
-    steps.push_back(frame.step);
-  }
-  element.numbers<double>(names::time, {frames.size()}, times);
-  element.numbers<std::uint64_t>(names::step, {frames.size()}, steps);
-}
-
 /// H5MD lets elements that are sampled together share their clock.
 void link_clock(const hdf5::Writer& element, const hdf5::Writer& source) {
   element.link(names::time, source, names::time);
@@ -77,6 +66,17 @@ void read_box(const hdf5::Reader& group, Record& record) {
   record.boundary = group.words("boundary");
   if (record.boundary.size() != axes) group.fail("boundary", "does not have one word per axis");
   record.box_size = group.numbers<double>("edges", {axes});
+}
+
+void write_clock(const hdf5::Writer& element, const std::vector<Frame>& frames) {
+  std::vector<double> times;
+  std::vector<std::uint64_t> steps;
+  for (const Frame& frame : frames) {
+    times.push_back(frame.time);
+    steps.push_back(frame.step);
+  }
+  element.numbers<double>(names::time, {frames.size()}, times);
+  element.numbers<std::uint64_t>(names::step, {frames.size()}, steps);
 }
 
 void write_trajectory(const hdf5::Writer& group, const std::vector<Frame>& frames, int dimension) {

@@ -13,6 +13,9 @@ void write_convention(const hdf5::Writer& file, const Provenance& provenance);
 void write_box(const hdf5::Writer& group, const Record& record);
 void read_box(const hdf5::Reader& group, Record& record);
 
+/// step[T] and time[T] of an H5MD element.
+void write_clock(const hdf5::Writer& element, const std::vector<Frame>& frames);
+
 /// H5MD elements position, velocity and id: {value[T][N][D], step, time}; frames with fewer particles are
 /// padded and count[T] says how many are real. Nothing is written for an empty trajectory.
 void write_trajectory(const hdf5::Writer& group, const std::vector<Frame>& frames, int dimension);

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "sim/record/export.hpp"
+
+namespace sandglass {
+
+using Paths = std::vector<std::string>;
+
+// One function per format; each returns the paths that it wrote.
+Paths export_vtp(const Record& record, const std::string& path, const ParticleShape& shape);
+Paths export_xyz(const Record& record, const std::string& path, const ParticleShape& shape);
+Paths export_mdanalysis(const Record& record, const std::string& path, const ParticleShape& shape);
+Paths export_csv(const Record& record, const std::string& path, const ParticleShape& shape);
+
+/// vector[particle][3] from vector[particle][dimension]: z = 0 in two dimensions.
+std::vector<double> in_space(const std::vector<double>& vectors, int dimension);
+
+/// Three edges of the box: a flat box is one diameter high, since most programs refuse height zero.
+std::vector<double> box_in_space(const Record& record, const ParticleShape& shape);
+
+/// "folder/name" of "folder/name.ending" when the ending is the expected one, else the whole path.
+std::string without_ending(const std::string& path, const std::string& ending);
+
+}  // namespace sandglass

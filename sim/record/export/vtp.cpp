@@ -1,0 +1,91 @@
+#include "sim/record/atomic_file.hpp"
+#include "sim/record/export/base64.hpp"
+#include "sim/record/export/format.hpp"
+
+#include <bit>
+#include <filesystem>
+#include <numeric>
+
+#include <fmt/format.h>
+
+// VTK XML PolyData, https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html: points with one
+// vertex cell each (without cells ParaView draws nothing), arrays inline in base64, so that every double is
+// exact.
+
+namespace sandglass {
+namespace {
+
+constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+
+template <class T>
+std::string array(const char* type, const char* name, int components, const std::vector<T>& values) {
+  const std::uint64_t bytes = values.size() * sizeof(T);
+  std::string raw(reinterpret_cast<const char*>(&bytes), sizeof bytes);
+  raw.append(reinterpret_cast<const char*>(values.data()), bytes);
+  return fmt::format(
+      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">{}</DataArray>\n", type,
+      name, components, base64(raw));
+}
+
+std::string polydata(const Frame& frame, int dimension, const ParticleShape& shape) {
+  const std::vector<double> points = in_space(frame.position, dimension);
+  const std::size_t count = points.size() / 3;
+  std::vector<std::int64_t> connectivity(count);
+  std::iota(connectivity.begin(), connectivity.end(), std::int64_t{0});
+  std::vector<std::int64_t> offsets(count);
+  std::iota(offsets.begin(), offsets.end(), std::int64_t{1});
+
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" "
+      "header_type=\"UInt64\">\n"
+      "<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\">\n",
+      byte_order, count, count);
+  text += "<PointData Scalars=\"diameter\" Vectors=\"velocity\">\n";
+  text += array("Float64", "velocity", 3, in_space(frame.velocity, dimension));
+  text += array("Float64", "diameter", 1, std::vector<double>(count, shape.diameter));
+  if (!frame.id.empty()) text += array("UInt64", "id", 1, frame.id);
+  text += "</PointData>\n<Points>\n" + array("Float64", "position", 3, points) + "</Points>\n<Verts>\n";
+  text += array("Int64", "connectivity", 1, connectivity) + array("Int64", "offsets", 1, offsets);
+  text += "</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (char letter : text) {
+    if (letter == '&')
+      out += "&amp;";
+    else if (letter == '<')
+      out += "&lt;";
+    else if (letter == '"')
+      out += "&quot;";
+    else
+      out += letter;
+  }
+  return out;
+}
+
+void write_whole(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace
+
+Paths export_vtp(const Record& record, const std::string& path, const ParticleShape& shape) {
+  const std::string stem = without_ending(path, ".pvd");
+  std::string list = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
+  Paths paths;
+  for (const Frame& frame : record.trajectory) {
+    paths.push_back(fmt::format("{}-{:06}.vtp", stem, paths.size()));
+    write_whole(paths.back(), polydata(frame, record.dimension, shape));
+    list += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time,
+                        escaped(std::filesystem::path(paths.back()).filename()));
+  }
+  paths.push_back(stem + ".pvd");
+  write_whole(paths.back(), list + "</Collection>\n</VTKFile>\n");
+  return paths;
+}
+
+}  // namespace sandglass

@@ -1,0 +1,129 @@
+#include "sim/record/export.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/record/export/base64.hpp"
+#include "sim/record/hdf5/file.hpp"
+#include "sim/record/hdf5/reader.hpp"
+#include "sim/record/sample.hpp"
+#include "sim/record/scratch.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sandglass {
+namespace {
+
+using testing::HasSubstr;
+
+std::string contents(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+std::string refusal(const Record& record, const std::string& format, const std::string& path) {
+  try {
+    export_record(record, format, path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(Base64, ExamplesOfRfc4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+}
+
+TEST(Export, XyzHoldsEveryFrameExactly) {
+  const ScratchFolder folder;
+  const Record record = sample_record();
+  export_record(record, "xyz", folder / "run.xyz", {0.5});
+  std::ifstream file(folder / "run.xyz");
+  for (const Frame& frame : record.trajectory) {
+    std::string line;
+    std::getline(file, line);
+    const std::size_t count = std::stoul(line);
+    ASSERT_EQ(count, frame.id.size());
+    std::getline(file, line);
+    EXPECT_THAT(line, HasSubstr("Lattice=\"10 0 0 0 20.5 0 0 0 0.5\""));
+    EXPECT_THAT(line, HasSubstr("pbc=\"T F F\""));
+    for (std::size_t particle = 0; particle < count; ++particle) {
+      std::string name;
+      double x, y, z, u, v, w, radius;
+      std::uint64_t id;
+      file >> name >> x >> y >> z >> u >> v >> w >> radius >> id;
+      EXPECT_EQ(x, frame.position[2 * particle]);
+      EXPECT_EQ(v, frame.velocity[2 * particle + 1]);
+      EXPECT_EQ(z + w, 0);
+      EXPECT_EQ(radius, 0.25);
+      EXPECT_EQ(id, frame.id[particle]);
+    }
+    std::getline(file, line);
+  }
+}
+
+TEST(Export, VtpWritesOneFilePerFrameAndAList) {
+  const ScratchFolder folder;
+  const auto paths = export_record(sample_record(), "vtp", folder / "a&b.pvd");
+  ASSERT_EQ(paths.size(), 4u);
+  EXPECT_EQ(paths.back(), folder / "a&b.pvd");
+  EXPECT_THAT(contents(paths.back()), HasSubstr("timestep=\"50\" file=\"a&amp;b-000001.vtp\""));
+  const std::string frame = contents(folder / "a&b-000001.vtp");
+  EXPECT_THAT(frame, HasSubstr("NumberOfPoints=\"5\" NumberOfVerts=\"5\""));
+  // Five diameters of 1: a length of 40 bytes, then 0x3ff0000000000000 five times.
+  EXPECT_THAT(frame, HasSubstr("KAAAAAAAAAAAAAAAAADwPwAAAAAAAPA/AAAAAAAA8D8AAAAAAADwPwAAAAAAAPA/"));
+}
+
+TEST(Export, MdanalysisIsPaddedToThreeDimensions) {
+  const ScratchFolder folder;
+  Record record = sample_record();
+  EXPECT_THAT(refusal(record, "mdanalysis", folder / "run.h5md"), HasSubstr("varies from frame to frame"));
+  record.trajectory = {sample_frame(0, 4, 2), sample_frame(10, 4, 2)};
+  const auto paths = export_record(record, "mdanalysis", folder / "run", {0.5});
+  EXPECT_EQ(paths, std::vector<std::string>{folder / "run.h5md"});
+
+  const hdf5::Session session;
+  const hdf5::Handle file = hdf5::open_file(paths.front());
+  const hdf5::Reader root(hdf5::Handle(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose), "/");
+  const hdf5::Reader trajectory = root.group("particles").group("trajectory");
+  const auto edges = trajectory.group("box").group("edges").numbers<double>("value", {2, 3, 3});
+  EXPECT_EQ(std::vector<double>(edges.begin(), edges.begin() + 9),
+            (std::vector<double>{10, 0, 0, 0, 20.5, 0, 0, 0, 0.5}));
+  const auto position = trajectory.group("position").numbers<double>("value", {2, 4, 3});
+  EXPECT_EQ(position[3], record.trajectory[0].position[2]);
+  EXPECT_EQ(position[5], 0);
+}
+
+TEST(Export, CsvHoldsSeriesAndEstimates) {
+  const ScratchFolder folder;
+  export_record(sample_record(), "csv", folder / "run.csv");
+  const std::string series = contents(folder / "run.csv");
+  EXPECT_THAT(series, HasSubstr("\nmomentum,y,mass length time^-1,,,0,10,0.1,0.1111111111111111\n"));
+  EXPECT_THAT(series, HasSubstr("\nvelocity-histogram,4,1,0,0.5,1,0,0,0.034482758620689655\n"));
+  EXPECT_THAT(contents(folder / "run-estimates.csv"),
+              HasSubstr("momentum,x,mass length time^-1,,,0.5,0.01,17.5\n"
+                        "momentum,y,mass length time^-1,,,-0.5,,17.5\n"));
+}
+
+TEST(Export, RefusesWhatItCannotDo) {
+  const ScratchFolder folder;
+  Record record = sample_record();
+  EXPECT_THAT(refusal(record, "vtq", folder / "run"), HasSubstr("did you mean 'vtp'"));
+  record.trajectory.clear();
+  for (const std::string format : {"vtp", "xyz", "mdanalysis"})
+    EXPECT_THAT(refusal(record, format, folder / "run"), HasSubstr("add 'trajectory' to [output]"));
+  EXPECT_NO_THROW(export_record(record, "csv", folder / "run.csv"));
+  EXPECT_THROW(export_record(sample_record(), "xyz", folder / "missing/run.xyz"), RunError);
+  EXPECT_EQ(export_formats().size(), 4u);
+}
+
+}  // namespace
+}  // namespace sandglass
