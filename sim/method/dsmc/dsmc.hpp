@@ -6,14 +6,14 @@
 #include "sim/method/dsmc/collision_stage.hpp"
 #include "sim/method/dsmc/local_factor.hpp"
 #include "sim/method/dsmc/motion_stage.hpp"
-#include "sim/method/method.hpp"
+#include "sim/method/simulator.hpp"
 
 namespace sandglass::dsmc {
 
 /// Direct simulation Monte Carlo and its dense-gas variants in D dimensions. A step collides the particles of each cell,
 /// moves them, and sorts them into the cells where they arrive.
 template <int D>
-class Dsmc final : public Method<D> {
+class Dsmc final : public Simulator<D> {
  public:
   /// `purpose` names the streams of the collisions; ids are kept only if asked for.
   Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion, const Streams& streams,

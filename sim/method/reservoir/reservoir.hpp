@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/method/method.hpp"
+#include "sim/method/simulator.hpp"
 #include "sim/physics/flux_sampler.hpp"
 
 namespace sandglass::reservoir {
@@ -22,7 +22,7 @@ struct Parameters {
 /// An ideal-gas stream seen at one plane: in each step a Poisson number of particles cross, with velocities from the flux
 /// distribution. It holds no particles: it is the inflow of open boundaries, alone.
 template <int D>
-class Reservoir final : public Method<D> {
+class Reservoir final : public Simulator<D> {
  public:
   Reservoir(const Parameters& parameters, const Streams& streams, std::vector<Plane>* planes);
 

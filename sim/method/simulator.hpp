@@ -6,11 +6,11 @@
 
 namespace sandglass {
 
-/// What the run loop needs of any method.
+/// A method at work: what the run loop needs of it.
 template <int D>
-class Method {
+class Simulator {
  public:
-  virtual ~Method() = default;
+  virtual ~Simulator() = default;
   /// Takes particles in the given order; empty `ids`: number them if the method keeps ids.
   virtual void assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids) = 0;
   /// Advances by `dt`; `step` names the random streams.

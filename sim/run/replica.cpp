@@ -1,0 +1,168 @@
+#include "sim/run/replica.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/base/error.hpp"
+#include "sim/run/initial.hpp"
+
+namespace sandglass {
+
+template <int D>
+ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation, const Streams& streams)
+    : scene_(scene),
+      streams_(streams),
+      planes_(make_planes(setup.observers)),
+      simulator_(make_simulator<D>(scene, setup, mutation, streams, &planes_)),
+      setup_(setup),
+      stepper_(scene, setup) {
+  std::size_t plane = 0;
+  for (std::size_t i = 0; i < setup.observers.size(); ++i) {
+    for (auto& observer : make_observers<D>(setup.observers[i], plane)) {
+      Quantity quantity = observer->quantity();
+      watches_.push_back({std::move(observer), Schedule(scene.observe[i].cadence), {std::move(quantity), {}, {}, {}}});
+    }
+    plane += needs_of(setup.observers[i]).plane ? 1 : 0;
+  }
+  if (scene.output.trajectory && streams.replica == 0) frames_.emplace(*scene.output.trajectory);
+}
+
+template <int D>
+void ReplicaRun<D>::start() {
+  if (!is_reservoir(scene_)) simulator_->assign(initial_particles(scene_, setup_, streams_), {});
+  for (Watch& watch : watches_) {
+    watch.observer->start(view());
+    if (watch.observer->measures_at_start()) sample(watch);
+  }
+  if (frames_) trajectory_.push_back(frame());
+}
+
+template <int D>
+void ReplicaRun<D>::step() {
+  const double dt = stepper_.next(view(), clock_.step);
+  simulator_->step(dt, clock_.step);
+  ++clock_.step;
+  clock_.time = scene_.method.time_step.fixed ? static_cast<double>(clock_.step) * dt : clock_.time + dt;
+  if (setup_.particles > 0)
+    clock_.collisions = 2 * static_cast<double>(simulator_->tally().collisions) / static_cast<double>(setup_.particles);
+  sample_what_is_due();
+  if (clock_.step % 1'000'000 == 0) refuse_standstill();
+}
+
+template <int D>
+void ReplicaRun<D>::sample_what_is_due() {
+  for (Watch& watch : watches_)
+    if (watch.schedule.due(clock_)) sample(watch);
+  if (frames_ && frames_->due(clock_)) trajectory_.push_back(frame());
+}
+
+template <int D>
+void ReplicaRun<D>::refuse_standstill() const {
+  if (scene_.run.duration.collisions && simulator_->tally().collisions == 0)
+    throw RunError(fmt::format("no collision in {} steps, and the run is to last {} collisions per particle; raise 'method.time-step' or give the duration as a time",
+                               clock_.step, *scene_.run.duration.collisions));
+}
+
+template <int D>
+View<D> ReplicaRun<D>::view() {
+  View<D> view = simulator_->view();
+  view.step = clock_.step;
+  view.time = clock_.time;
+  return view;
+}
+
+template <int D>
+void ReplicaRun<D>::sample(Watch& watch) {
+  const std::vector<double> values = watch.observer->measure(view());
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+    throw RunError(fmt::format("step {}, time {:.6g}, replica {}: '{}' is not a finite number; the state is broken (time step too long, or a force without bound?)",
+                               clock_.step, clock_.time, streams_.replica, watch.series.quantity.name));
+  watch.series.step.push_back(clock_.step);
+  watch.series.time.push_back(clock_.time);
+  watch.series.value.insert(watch.series.value.end(), values.begin(), values.end());
+}
+
+template <int D>
+Frame ReplicaRun<D>::frame() {
+  const View<D> now = view();
+  Frame frame{clock_.step, clock_.time, {}, {}, {simulator_->ids().begin(), simulator_->ids().end()}};
+  frame.position.reserve(D * now.particles.size());
+  frame.velocity.reserve(D * now.particles.size());
+  for (const Phase<D>& particle : now.particles) {
+    frame.position.insert(frame.position.end(), particle.position.data(), particle.position.data() + D);
+    frame.velocity.insert(frame.velocity.end(), particle.velocity.data(), particle.velocity.data() + D);
+  }
+  return frame;
+}
+
+template <int D>
+std::map<std::string, double> ReplicaRun<D>::counters() {
+  const Tally& tally = simulator_->tally();
+  return {{"steps", static_cast<double>(clock_.step)},
+          {"collisions", static_cast<double>(tally.collisions)},
+          {"candidates", static_cast<double>(tally.candidates)},
+          {"bound-raised", static_cast<double>(tally.bound_raised)},
+          {"particle-moves", static_cast<double>(tally.moves)}};
+}
+
+template <int D>
+State ReplicaRun<D>::save() {
+  State state{clock_.step, clock_.time, frame(), {}, counters(), {}};
+  state.memory["transfer"] = simulator_->tally().transfer.save();
+  state.memory["time-step"] = stepper_.save();
+  for (std::size_t i = 0; i < planes_.size(); ++i) state.memory[fmt::format("plane-{}", i)] = planes_[i].save();
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    state.memory[fmt::format("observer-{}", i)] = watches_[i].observer->save();
+    state.series.push_back(watches_[i].series);
+  }
+  return state;
+}
+
+template <int D>
+void ReplicaRun<D>::load(const State& state) {
+  std::vector<Phase<D>> particles(state.particles.position.size() / D);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    particles[i].position = Eigen::Map<const Vector<D>>(&state.particles.position[D * i]);
+    particles[i].velocity = Eigen::Map<const Vector<D>>(&state.particles.velocity[D * i]);
+  }
+  if (!is_reservoir(scene_)) simulator_->assign(particles, state.particles.id);
+  Tally& tally = simulator_->tally();
+  tally.collisions = static_cast<std::uint64_t>(state.counters.at("collisions"));
+  tally.candidates = static_cast<std::uint64_t>(state.counters.at("candidates"));
+  tally.bound_raised = static_cast<std::uint64_t>(state.counters.at("bound-raised"));
+  tally.moves = static_cast<std::uint64_t>(state.counters.at("particle-moves"));
+  tally.transfer = ExactSum::load(state.memory.at("transfer"));
+  stepper_.load(state.memory.at("time-step"));
+  clock_ = {state.step, state.time, 0};
+  if (setup_.particles > 0)
+    clock_.collisions = 2 * static_cast<double>(tally.collisions) / static_cast<double>(setup_.particles);
+  for (std::size_t i = 0; i < planes_.size(); ++i) planes_[i].load(state.memory.at(fmt::format("plane-{}", i)));
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    watches_[i].observer->load(state.memory.at(fmt::format("observer-{}", i)));
+    watches_[i].series = state.series.at(i);
+    watches_[i].schedule.resume(clock_);
+  }
+  if (frames_) frames_->resume(clock_);
+}
+
+template <int D>
+Replica ReplicaRun<D>::result() {
+  Replica replica{scene_.run.seed, {}, counters()};
+  for (Watch& watch : watches_) replica.series.push_back(std::move(watch.series));
+  return replica;
+}
+
+template <int D>
+std::set<std::string> ReplicaRun<D>::cumulative() const {
+  std::set<std::string> names;
+  for (const Watch& watch : watches_)
+    if (watch.observer->cumulative()) names.insert(watch.series.quantity.name);
+  return names;
+}
+
+template class ReplicaRun<2>;
+template class ReplicaRun<3>;
+
+}  // namespace sandglass

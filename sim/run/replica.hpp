@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/run/schedule.hpp"
+#include "sim/run/time_step.hpp"
+
+namespace sandglass {
+
+/// One replica of a scene on its way from the initial state to the end.
+template <int D>
+class ReplicaRun {
+ public:
+  ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation, const Streams& streams);
+
+  /// Initial particles and the first samples.
+  void start();
+  /// Goes on from a checkpoint instead.
+  void load(const State& state);
+
+  bool done() const { return finished(scene_.run.duration, clock_); }
+  void step();
+
+  const Clock& clock() const { return clock_; }
+  State save();
+  Replica result();
+  /// Frames that the scene asks for; kept for the first replica only.
+  std::vector<Frame>& trajectory() { return trajectory_; }
+  std::size_t bytes() const { return simulator_->bytes(); }
+  std::uint64_t moves() { return simulator_->tally().moves; }
+  /// Names of the series that count since time zero.
+  std::set<std::string> cumulative() const;
+
+ private:
+  struct Watch {
+    std::unique_ptr<Observer<D>> observer;
+    Schedule schedule;
+    Series series;
+  };
+
+  View<D> view();
+  Frame frame();
+  void sample(Watch& watch);
+  void sample_what_is_due();
+  void refuse_standstill() const;
+  std::map<std::string, double> counters();
+
+  const Scene& scene_;
+  Streams streams_;
+  std::vector<Plane> planes_;
+  std::unique_ptr<Simulator<D>> simulator_;
+  const Setup<D>& setup_;
+  TimeStepper<D> stepper_;
+  Clock clock_;
+  std::vector<Watch> watches_;
+  std::optional<Schedule> frames_;
+  std::vector<Frame> trajectory_;
+};
+
+extern template class ReplicaRun<2>;
+extern template class ReplicaRun<3>;
+
+}  // namespace sandglass

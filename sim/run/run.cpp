@@ -1,0 +1,162 @@
+#include "sim/run/run.hpp"
+
+#include <chrono>
+#include <ctime>
+
+#include <fmt/format.h>
+
+#include "sim/record/provenance.hpp"
+#include "sim/run/estimates.hpp"
+#include "sim/run/pace.hpp"
+#include "sim/run/replica.hpp"
+
+namespace sandglass {
+
+namespace {
+
+double thread_cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// CPU and wall time since construction, on top of what an interrupted run had used.
+class Stopwatch {
+ public:
+  explicit Stopwatch(const std::map<std::string, double>& before) : before_(before) {}
+  void read(std::map<std::string, double>& timings) const {
+    const auto of = [&](const char* name) { return before_.contains(name) ? before_.at(name) : 0.0; };
+    timings["cpu-seconds"] = of("cpu-seconds") + thread_cpu_seconds() - cpu_;
+    timings["wall-seconds"] =
+        of("wall-seconds") + std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+  }
+
+ private:
+  std::map<std::string, double> before_;
+  double cpu_ = thread_cpu_seconds();
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+};
+
+Record empty_record(const Scene& scene, const RunOptions& options) {
+  Record record;
+  record.scene = write_scene(scene);
+  record.provenance = current_provenance();
+  record.provenance.mutation = options.mutation.name;
+  record.dimension = scene.domain.dimension;
+  record.box_size = scene.domain.size;
+  for (const auto& sides : scene.domain.sides)
+    record.boundary.push_back(sides[0] == Side::periodic ? "periodic" : "none");
+  return record;
+}
+
+/// All replicas of one scene, one after the other, into one record.
+template <int D>
+class Runner {
+ public:
+  Runner(const Scene& scene, const RunOptions& options, Record record)
+      : scene_(scene),
+        options_(options),
+        setup_(set_up<D>(scene, options.mutation)),
+        record_(std::move(record)),
+        watch_(record_.timings),
+        pace_(options.progress) {
+    if (scene.output.checkpoint) checkpoints_.emplace(*scene.output.checkpoint);
+    for (const Replica& replica : record_.replicas) moves_before_ += replica.counters.at("particle-moves");
+  }
+
+  Record run() {
+    while (record_.replicas.size() < scene_.run.replicas) run_replica();
+    record_.estimates = estimate(record_.replicas, cumulative_);
+    watch_.read(record_.timings);
+    return std::move(record_);
+  }
+
+ private:
+  void run_replica() {
+    ReplicaRun<D> replica(scene_, setup_, options_.mutation, {scene_.run.seed, record_.replicas.size()});
+    if (record_.state)
+      replica.load(*record_.state);
+    else
+      replica.start();
+    record_.state.reset();
+    if (checkpoints_) checkpoints_->resume(replica.clock());
+    cumulative_ = replica.cumulative();
+    while (!replica.done()) {
+      replica.step();
+      attend(replica);
+    }
+    finish(replica);
+  }
+
+  /// What may happen between two steps: checkpoint, request to stop, progress.
+  void attend(ReplicaRun<D>& replica) {
+    if (checkpoints_ && checkpoints_->due(replica.clock())) write_checkpoint(replica);
+    if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) stop(replica);
+    if (pace_.due()) report(replica);
+  }
+
+  void finish(ReplicaRun<D>& replica) {
+    record_.timings["peak-bytes"] = std::max(record_.timings["peak-bytes"], static_cast<double>(replica.bytes()));
+    if (setup_.particles > 0)
+      record_.timings["bytes-per-particle"] = static_cast<double>(replica.bytes()) / static_cast<double>(setup_.particles);
+    take_frames(record_, replica);
+    moves_before_ += static_cast<double>(replica.moves());
+    record_.replicas.push_back(replica.result());
+  }
+
+  static void take_frames(Record& record, ReplicaRun<D>& replica) {
+    for (const Frame& frame : replica.trajectory()) record.trajectory.push_back(frame);
+  }
+
+  void write_checkpoint(ReplicaRun<D>& replica) {
+    if (options_.checkpoint_path.empty()) return;
+    Record checkpoint = record_;
+    checkpoint.state = replica.save();
+    take_frames(checkpoint, replica);
+    watch_.read(checkpoint.timings);
+    write_record(options_.checkpoint_path, checkpoint);
+  }
+
+  [[noreturn]] void stop(ReplicaRun<D>& replica) {
+    write_checkpoint(replica);
+    const Clock& clock = replica.clock();
+    throw Interrupted(fmt::format("stopped at step {}, time {:.6g}, replica {} of {}", clock.step, clock.time,
+                                  record_.replicas.size() + 1, scene_.run.replicas));
+  }
+
+  void report(ReplicaRun<D>& replica) {
+    const Clock& clock = replica.clock();
+    const double done = static_cast<double>(record_.replicas.size()) + fraction_done(scene_.run.duration, clock);
+    pace_.report({done / static_cast<double>(scene_.run.replicas), 0, 0, record_.replicas.size(), clock.step, clock.time,
+                  clock.collisions},
+                 moves_before_ + static_cast<double>(replica.moves()));
+  }
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  Setup<D> setup_;
+  Record record_;
+  Stopwatch watch_;
+  Pace pace_;
+  std::optional<Schedule> checkpoints_;
+  std::set<std::string> cumulative_;
+  double moves_before_ = 0;
+};
+
+Record run_from(const Scene& scene, const RunOptions& options, Record record) {
+  if (scene.domain.dimension == 2) return Runner<2>(scene, options, std::move(record)).run();
+  return Runner<3>(scene, options, std::move(record)).run();
+}
+
+}  // namespace
+
+Record run_scene(const Scene& scene, const RunOptions& options) {
+  return run_from(scene, options, empty_record(scene, options));
+}
+
+Record resume(const Record& checkpoint, const RunOptions& options) {
+  const Scene scene = read_scene_text(checkpoint.scene, "scene of the checkpoint");
+  return run_from(scene, options, checkpoint);
+}
+
+}  // namespace sandglass

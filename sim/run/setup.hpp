@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/method/dsmc/dsmc.hpp"
+#include "sim/observe/observer.hpp"
+#include "sim/run/run.hpp"
+
+namespace sandglass {
+
+/// What the scene decides before anything runs: the cells, what the method is told and who observes.
+template <int D>
+struct Setup {
+  Grid<D> grid;
+  dsmc::Parameters parameters;
+  dsmc::MotionParameters<D> motion;
+  std::vector<ObserverSpec> observers;
+  std::uint64_t particles;
+};
+
+/// Throws InputError for a combination that the method cannot do.
+template <int D>
+Setup<D> set_up(const Scene& scene, const Mutation& mutation);
+
+bool is_reservoir(const Scene& scene);
+
+/// The method of the scene, ready to take particles. `planes` must outlive it.
+template <int D>
+std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>& setup, const Mutation& mutation,
+                                             const Streams& streams, std::vector<Plane>* planes);
+
+/// One plane per observer that needs one, in order.
+std::vector<Plane> make_planes(const std::vector<ObserverSpec>& observers);
+
+}  // namespace sandglass

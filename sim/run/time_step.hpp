@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/run/setup.hpp"
+
+namespace sandglass {
+
+/// Enskog's collisions per particle and time of a gas of this granular temperature at the scene's mean density; the
+/// contact value is one for a method without a contact factor.
+template <int D>
+double expected_collision_rate(const Scene& scene, const Setup<D>& setup, double temperature);
+
+/// The length of each step: fixed, or such that a particle collides a wanted number of times per step.
+template <int D>
+class TimeStepper {
+ public:
+  TimeStepper(const Scene& scene, const Setup<D>& setup);
+
+  /// Throws RunError when a gas without motion would need an infinite step.
+  double next(const View<D>& view, std::uint64_t step);
+  std::vector<double> save() const { return {current_}; }
+  void load(const std::vector<double>& state) { current_ = state.at(0); }
+
+ private:
+  double fixed_ = 0;
+  double wanted_ = 0;          ///< collisions per particle and step
+  double rate_at_one_ = 0;     ///< collision rate at granular temperature one
+  std::uint64_t refresh_ = 1;  ///< steps between looks at the temperature
+  double current_ = 0;
+};
+
+}  // namespace sandglass
