@@ -7,7 +7,7 @@ void read_sides(Table& table, Domain& domain) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string& name = axis_words()[axis].first;
     if (axis < domain.sides.size())
-      table.read_pair(name, domain.sides[axis], side_words());
+      table.read_pair(name, "side", domain.sides[axis], side_words());
     else
       table.refuse(name, "cannot be: a domain of 2 dimensions has the axes x and y");
   }

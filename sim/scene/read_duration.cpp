@@ -5,7 +5,7 @@ namespace sandglass {
 namespace {
 void keep_one(Table& table, const std::vector<std::string>& given) {
   const std::string choice = "give exactly one of 'time', 'steps' or 'collisions-per-particle'";
-  if (given.empty()) table.report_missing("time", choice);
+  if (given.empty() && table.clean()) table.report_missing("time", choice);
   for (std::size_t i = 1; i < given.size(); ++i)
     table.refuse(given[i], "is given beside '" + given[0] + "'; " + choice);
 }
@@ -28,7 +28,7 @@ void read_cadence(Table& table, const std::string& key, std::optional<Cadence>& 
   std::optional<Table> inner = table.table(key);
   if (!inner) return;
   const Duration every = read_duration(*inner);
-  if (!table.diagnostics().clean(table.path_of(key))) return;
+  if (!table.clean(key)) return;
   if (every.time) cadence = {Cadence::Unit::time, *every.time};
   if (every.steps) cadence = {Cadence::Unit::steps, static_cast<double>(*every.steps)};
   if (every.collisions) cadence = {Cadence::Unit::collisions, *every.collisions};

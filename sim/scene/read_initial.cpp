@@ -17,7 +17,7 @@ void read_forces(Table& table, std::vector<double>& gravity) {
 }
 
 void read_initial(Table& table, Initial& initial) {
-  table.read_word("positions", initial.positions, positions_words());
+  table.read_word("positions", "choice of positions", initial.positions, positions_words());
   table.read("temperature", initial.temperature);
   table.read("velocity", initial.velocity);
   table.read("exact", initial.exact);

@@ -14,7 +14,7 @@ void read_random_offset(Table& table, Method& method) {
   if (method.offset == Offset::random) {
     method.random_offset = default_random_offset;
     table.read("random-offset", method.random_offset);
-  } else if (!table.diagnostics().clean(table.path_of("offset"))) {
+  } else if (!table.clean("offset")) {
     table.skip("random-offset");
   } else {
     table.refuse("random-offset", "is used with offset = \"random\" only; the offset here is \"" +
@@ -23,13 +23,13 @@ void read_random_offset(Table& table, Method& method) {
 }
 
 void read_policies(Table& table, Method& method) {
-  table.read_word("preset", method.preset, preset_words());
+  table.read_word("preset", "preset", method.preset, preset_words());
   const Preset& preset = *find_preset(method.preset);
   method.contact_factor = preset.contact_factor;
   method.offset = preset.offset;
-  table.read_word("contact-factor", method.contact_factor, contact_factor_words());
-  table.read_word("density", method.density, density_words());
-  table.read_word("offset", method.offset, offset_words());
+  table.read_word("contact-factor", "contact factor", method.contact_factor, contact_factor_words());
+  table.read_word("density", "density estimate", method.density, density_words());
+  table.read_word("offset", "offset", method.offset, offset_words());
   read_random_offset(table, method);
 }
 

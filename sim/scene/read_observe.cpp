@@ -14,7 +14,7 @@ Words<std::string> observer_words() {
 }
 
 void read_own_keys(Table& table, Observe& observe) {
-  if (observer_uses(observe.what, "axis")) table.read_word("axis", observe.axis, axis_words());
+  if (observer_uses(observe.what, "axis")) table.read_word("axis", "axis", observe.axis, axis_words());
   if (observer_uses(observe.what, "position"))
     table.require("position", observe.position, "where the plane stands on the axis");
   if (observer_uses(observe.what, "range")) table.read("range", observe.range);
@@ -25,7 +25,7 @@ void read_own_keys(Table& table, Observe& observe) {
 }  // namespace
 
 void read_observe(Table& table, Observe& observe) {
-  table.read_word("what", observe.what, observer_words());
+  table.read_word("what", "observer", observe.what, observer_words());
   if (!table.has("what")) table.report_missing("what", "one of " + list_words(observer_names()));
   read_cadence(table, "every", observe.cadence);
   read_own_keys(table, observe);

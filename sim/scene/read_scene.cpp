@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 namespace sandglass {
 
@@ -24,18 +25,18 @@ void report_missing_tables(Table& root) {
 
 Scene read_tables(Table& root) {
   Scene scene;
+  report_missing_tables(root);
   root.read("title", scene.title);
   read_section(root, "run", read_run, scene.run);
   read_section(root, "domain", read_domain, scene.domain);
-  for (Table& table : root.tables("species"))
-    read_species(table, scene.domain.dimension, scene.species.emplace_back());
+  const int dimension = root.clean("domain.dimension") ? scene.domain.dimension : 0;
+  for (Table& table : root.tables("species")) read_species(table, dimension, scene.species.emplace_back());
   read_section(root, "method", read_method, scene.method);
   read_section(root, "forces", read_forces, scene.gravity);
   read_section(root, "initial", read_initial, scene.initial);
   for (Table& table : root.tables("observe")) read_observe(table, scene.observe.emplace_back());
   read_section(root, "output", read_output, scene.output);
   root.finish();
-  report_missing_tables(root);
   return scene;
 }
 
@@ -49,6 +50,11 @@ void drop_zero_gravity(std::vector<double>& gravity) {
 Scene read_scene_text(const std::string& text, const std::string& file_name) {
   const Node document = parse_document(text, file_name);
   Diagnostics diagnostics(file_name, document);
+  if (document.items.empty()) {
+    diagnostics.report(
+        "", "the scene is empty; it needs [run], [domain], [[species]] and [method]: see docs/scene.md");
+    diagnostics.raise();
+  }
   Table root(document, "", diagnostics);
   Scene scene = read_tables(root);
   check_rules(scene, diagnostics);
@@ -59,11 +65,11 @@ Scene read_scene_text(const std::string& text, const std::string& file_name) {
 
 Scene read_scene_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf()))
-    throw InputError("cannot read the scene '" + path +
-                     "': " + (file ? "it is empty or not a file" : std::strerror(errno)));
-  return read_scene_text(text.str(), path);
+  if (!file) throw InputError("cannot read the scene '" + path + "': " + std::strerror(errno));
+  if (std::filesystem::is_directory(path))
+    throw InputError("the scene '" + path + "' is a folder; name a file");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return read_scene_text(text, path);
 }
 
 }  // namespace sandglass

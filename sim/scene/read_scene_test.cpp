@@ -14,8 +14,8 @@ using testing::ElementsAre;
 Scene read(const std::string& method, const std::string& more = "") {
   return read_scene_text(
       "run.duration = { steps = 10 }\n"
-      "domain = { dimension = 2, size = [10, 20] }\n"
-      "species = [{ count = 20 }]\n"
+      "[domain]\ndimension = 2\nsize = [10, 20]\n"
+      "[[species]]\ncount = 20\n"
       "[method]\ncells = [2, 4]\ntime-step = 0.1\n" +
           method + '\n' + more,
       "scene.toml");

@@ -10,6 +10,7 @@ namespace sandglass {
 
 void read_run(Table& table, Run& run);
 void read_domain(Table& table, Domain& domain);
+/// `dimension` decides between area and volume fraction; 0 when the domain does not tell it.
 void read_species(Table& table, int dimension, Species& species);
 void read_method(Table& table, Method& method);
 void read_forces(Table& table, std::vector<double>& gravity);

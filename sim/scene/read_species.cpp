@@ -4,6 +4,11 @@ namespace sandglass {
 
 namespace {
 void read_fraction(Table& table, int dimension, Species& species) {
+  if (dimension != 2 && dimension != 3) {
+    table.read("area-fraction", species.fraction);
+    table.read("volume-fraction", species.fraction);
+    return;
+  }
   const std::string right = dimension == 2 ? "area-fraction" : "volume-fraction";
   const std::string wrong = dimension == 2 ? "volume-fraction" : "area-fraction";
   table.read(right, species.fraction);

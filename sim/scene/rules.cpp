@@ -20,11 +20,11 @@ const std::vector<Rule>& all_rules() {
       {{}, check_species},
       {{}, check_method},
       {{"domain", "species", "method"}, check_packing},
-      {{"domain", "method.cells", "method.cell-size"}, check_cells},
-      {{"domain", "forces"}, check_gravity},
-      {{"domain", "initial"}, check_initial},
+      {{"domain.dimension", "domain.size", "method.cells", "method.cell-size"}, check_cells},
+      {{"domain.dimension", "forces"}, check_gravity},
+      {{"domain.dimension"}, check_initial},
       {{"domain", "species", "method", "initial.positions"}, check_overlap},
-      {{"domain"}, check_observers},
+      {{"domain.dimension", "domain.size"}, check_observers},
       {{"domain", "method", "species", "observe", "initial", "run", "output"}, check_reservoir},
   };
   return rules;

@@ -1,7 +1,9 @@
 #include "sim/scene/bounds.hpp"
 #include "sim/scene/catalogue.hpp"
 #include "sim/scene/rules.hpp"
-#include "sim/scene/words.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -23,17 +25,13 @@ double check_numbers(const Scene& scene, Diagnostics& diagnostics) {
   return total;
 }
 
-/// Reports an edge wider than the domain; returns the number of cells that it makes.
+/// Reports cells wider than the domain; returns the number of cells of that edge.
 double check_size(const Domain& domain, double edge, Diagnostics& diagnostics) {
-  double total = 1;
-  for (std::size_t axis = 0; axis < domain.size.size(); ++axis) {
-    total *= domain.size[axis] / edge;
-    if (edge > domain.size[axis])
-      diagnostics.report("method.cell-size",
-                         fmt::format("'method.cell-size' is {}, wider than the domain along {} ({})", edge,
-                                     axis_words()[axis].first, domain.size[axis]));
-  }
-  return total;
+  const double narrowest = *std::min_element(domain.size.begin(), domain.size.end());
+  if (edge > narrowest)
+    diagnostics.report("method.cell-size",
+                       fmt::format("'method.cell-size' is {}, wider than the domain ({})", edge, narrowest));
+  return volume(domain) / std::pow(edge, domain.dimension);
 }
 }  // namespace
 

@@ -10,8 +10,8 @@ namespace {
 void check_sides(const Domain& domain, Diagnostics& diagnostics) {
   for (std::size_t axis = 0; axis < domain.sides.size(); ++axis) {
     const auto& [low, high] = domain.sides[axis];
-    if ((low == Side::periodic) == (high == Side::periodic)) continue;
     const std::string path = "domain.sides." + axis_words()[axis].first;
+    if ((low == Side::periodic) == (high == Side::periodic) || !diagnostics.clean(path)) continue;
     diagnostics.report(path,
                        fmt::format("{} has one periodic side and one wall; an axis is periodic on both sides "
                                    "or on none",
@@ -35,10 +35,11 @@ void check_domain(const Scene& scene, Diagnostics& diagnostics) {
 void check_gravity(const Scene& scene, Diagnostics& diagnostics) {
   if (scene.gravity.empty()) return;
   if (!check_length(diagnostics, "forces.gravity", scene.gravity.size(), scene.domain.dimension)) return;
+  const bool sides_known = diagnostics.clean("domain.sides");
   for (std::size_t axis = 0; axis < scene.gravity.size(); ++axis) {
     const std::string path = item_path("forces.gravity", axis);
     if (!check_bounds(diagnostics, path, scene.gravity[axis], finite())) continue;
-    if (scene.gravity[axis] == 0 || scene.domain.sides[axis][0] != Side::periodic) continue;
+    if (!sides_known || scene.gravity[axis] == 0 || scene.domain.sides[axis][0] != Side::periodic) continue;
     const std::string& name = axis_words()[axis].first;
     diagnostics.report(
         path, fmt::format("gravity acts along the periodic axis {0}: particles would fall for ever and "

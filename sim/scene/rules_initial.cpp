@@ -10,6 +10,7 @@ void check_shear_wave(const Scene& scene, Diagnostics& diagnostics) {
   const std::string path = "initial.shear-wave";
   check_bounds(diagnostics, path + ".amplitude", scene.initial.shear_wave->amplitude, finite());
   check_bounds(diagnostics, path + ".periods", scene.initial.shear_wave->periods, between(1, 1000));
+  if (!diagnostics.clean(path) || !diagnostics.clean("domain.sides")) return;
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (scene.domain.sides[axis][0] != Side::periodic)
       return diagnostics.report(path, shown(path) + " needs a domain that is periodic along x and y");

@@ -60,6 +60,7 @@ void check_grid(const Observe& observe, int dimension, const std::string& path, 
 }
 
 void check_shear_mode(const Domain& domain, const std::string& path, Diagnostics& diagnostics) {
+  if (!diagnostics.clean("domain.sides")) return;
   if (domain.sides[0][0] == Side::periodic && domain.sides[1][0] == Side::periodic) return;
   diagnostics.report(path + ".what",
                      "the observer 'shear-mode' needs a domain that is periodic along x and y");
@@ -68,7 +69,7 @@ void check_shear_mode(const Domain& domain, const std::string& path, Diagnostics
 void check_observer(const Observe& observe, const Domain& domain, const std::string& path,
                     Diagnostics& diagnostics) {
   if (!find_observer(observe.what))
-    return diagnostics.report(path + ".what", unknown_word("what", observe.what, observer_names()));
+    return diagnostics.report(path + ".what", unknown_word("observer", observe.what, observer_names()));
   const auto uses = [&observe](const char* key) { return observer_uses(observe.what, key); };
   const bool axis_known = !uses("axis") || check_axis(observe, domain.dimension, path, diagnostics);
   if (uses("position") && axis_known) check_plane(observe, domain, path, diagnostics);

@@ -2,14 +2,15 @@
 #include "sim/scene/rules.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 namespace sandglass {
 
 namespace {
-constexpr double largest_seed = 9.2233720368547758e18;  // 2^63: TOML integers end below
-constexpr double most_steps = 9007199254740992;         // 2^53: a double counts every one of them
+constexpr std::uint64_t largest_seed = std::numeric_limits<std::int64_t>::max();  // what TOML can hold
+constexpr double most_steps = 9e15;  // below 2^53: a double counts every one of them
 
 void check_cadence(Diagnostics& diagnostics, const std::string& path, const Cadence& cadence) {
   if (cadence.unit == Cadence::Unit::time)
@@ -39,7 +40,9 @@ void check_duration(Diagnostics& diagnostics, const Duration& duration) {
 }  // namespace
 
 void check_run(const Scene& scene, Diagnostics& diagnostics) {
-  check_bounds(diagnostics, "run.seed", static_cast<double>(scene.run.seed), between(0, largest_seed));
+  if (scene.run.seed > largest_seed)
+    diagnostics.report("run.seed",
+                       fmt::format("'run.seed' is {}; at most {} is allowed", scene.run.seed, largest_seed));
   check_bounds(diagnostics, "run.replicas", static_cast<double>(scene.run.replicas), between(1, 1e6));
   check_duration(diagnostics, scene.run.duration);
   for (std::size_t i = 0; i < scene.observe.size(); ++i)

@@ -23,7 +23,9 @@ class Table {
   bool has(const std::string& key) const { return entry(key) != nullptr; }
   bool is(const std::string& key, Node::Kind kind) const;
   std::string path_of(const std::string& key) const { return join_path(path_, key); }
-  Diagnostics& diagnostics() { return *diagnostics_; }
+  /// No fault so far in the value under the key, or anywhere in the table.
+  bool clean(const std::string& key) const { return diagnostics_->clean(path_of(key)); }
+  bool clean() const { return diagnostics_->clean(path_); }
 
   /// Fills in `target` when the key is there and right; leaves it when the key is absent; reports otherwise.
   template <class Value>
@@ -36,14 +38,15 @@ class Table {
     read(key, target);
     if (!has(key)) report_missing(key, remedy);
   }
-  /// A word out of a list.
+  /// A word out of a list; `kind` says in messages what it names.
   template <class Value>
-  void read_word(const std::string& key, Value& target, const Words<Value>& words) {
-    if (const Node* node = take(key)) convert_word(*node, key, path_of(key), target, words);
+  void read_word(const std::string& key, const std::string& kind, Value& target, const Words<Value>& words) {
+    if (const Node* node = take(key)) convert_word(*node, path_of(key), kind, target, words);
   }
   /// One word for both entries of a pair, or a list of two words.
   template <class Value>
-  void read_pair(const std::string& key, std::array<Value, 2>& target, const Words<Value>& words);
+  void read_pair(const std::string& key, const std::string& kind, std::array<Value, 2>& target,
+                 const Words<Value>& words);
 
   /// The table under the key; nothing when it is absent or, after a report, of another type.
   std::optional<Table> table(const std::string& key);
@@ -74,7 +77,7 @@ class Table {
   void convert(const Node& node, const std::string& path, std::vector<Value>& target);
   void convert(const Node& node, const std::string& path, std::array<double, 2>& target);
   template <class Value>
-  void convert_word(const Node& node, const std::string& key, const std::string& path, Value& target,
+  void convert_word(const Node& node, const std::string& path, const std::string& kind, Value& target,
                     const Words<Value>& words);
 
   const Node* node_;
@@ -100,7 +103,7 @@ void Table::convert(const Node& node, const std::string& path, std::vector<Value
 }
 
 template <class Value>
-void Table::convert_word(const Node& node, const std::string& key, const std::string& path, Value& target,
+void Table::convert_word(const Node& node, const std::string& path, const std::string& kind, Value& target,
                          const Words<Value>& words) {
   if (node.kind != Node::Kind::text) return report_type(node, path, "one of " + list_words(names_of(words)));
   const auto match = [&node](const auto& candidate) { return candidate.first == node.text; };
@@ -108,22 +111,23 @@ void Table::convert_word(const Node& node, const std::string& key, const std::st
   if (found != words.end())
     target = found->second;
   else
-    diagnostics_->report(path, unknown_word(key, node.text, names_of(words)));
+    diagnostics_->report(path, unknown_word(kind, node.text, names_of(words)));
 }
 
 template <class Value>
-void Table::read_pair(const std::string& key, std::array<Value, 2>& target, const Words<Value>& words) {
+void Table::read_pair(const std::string& key, const std::string& kind, std::array<Value, 2>& target,
+                      const Words<Value>& words) {
   const Node* node = take(key);
   if (!node) return;
   const std::string path = path_of(key);
   if (node->kind != Node::Kind::list) {
-    convert_word(*node, key, path, target[0], words);
+    convert_word(*node, path, kind, target[0], words);
     target[1] = target[0];
   } else if (node->items.size() != 2) {
     report_type(*node, path, "one word for both sides or a list of two words");
   } else {
     for (std::size_t i = 0; i < 2; ++i)
-      convert_word(node->items[i], key, item_path(path, i), target[i], words);
+      convert_word(node->items[i], item_path(path, i), kind, target[i], words);
   }
 }
 
