@@ -1,4 +1,4 @@
-"""Figures and pages from verdicts, evidence and records. Decides nothing: every verdict comes from the judge."""
+"""Figures and pages from verdicts, evidence and records. Decides nothing: verdicts come from the judge."""
 
 from analysis.load import load_record, load_report
 

@@ -11,7 +11,7 @@ LEDGER = Path(__file__).parent.parent / "reference" / "claims.toml"
 
 
 def _arguments():
-    parser = argparse.ArgumentParser(prog="python3 -m analysis", description="Figures and pages of a report folder.")
+    parser = argparse.ArgumentParser("python3 -m analysis", description="Pages from a report folder.")
     commands = parser.add_subparsers(dest="command", required=True)
     for name, text in (("report", "write pages, pictures, CSV and JUnit XML"), ("table", "print a table")):
         command = commands.add_parser(name, help=text)

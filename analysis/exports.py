@@ -24,13 +24,16 @@ def write_csv(report, path):
                             + [getattr(item.budget_parts, name) for name in parts])
 
 
+def _xml(text):
+    return NOT_XML.sub("?", text)
+
+
 def _test(suite, item, checks):
     seconds = (item.cpu_seconds or 0) / checks[item.run]
-    test = ElementTree.SubElement(suite, "testcase", classname=NOT_XML.sub("?", f"{item.case}.{item.variant}"),
-                                  name=NOT_XML.sub("?", f"{item.point} {item.check}"), time=f"{seconds:.6f}")
+    test = ElementTree.SubElement(suite, "testcase", classname=_xml(f"{item.case}.{item.variant}"),
+                                  name=_xml(f"{item.point} {item.check}"), time=f"{seconds:.6f}")
     if item.verdict not in GOOD:
-        ElementTree.SubElement(test, "failure", type=item.verdict, message=NOT_XML.sub("?", item.reason))
-    return test
+        ElementTree.SubElement(test, "failure", type=item.verdict, message=_xml(item.reason))
 
 
 def write_junit(report, path):
@@ -43,7 +46,7 @@ def write_junit(report, path):
     for case in dict.fromkeys(item.case for item in report.verdicts):
         items = [item for item in report.verdicts if item.case == case]
         failures = sum(item.verdict not in GOOD for item in items)
-        suite = ElementTree.SubElement(root, "testsuite", name=NOT_XML.sub("?", case), tests=str(len(items)),
+        suite = ElementTree.SubElement(root, "testsuite", name=_xml(case), tests=str(len(items)),
                                        failures=str(failures))
         for item in items:
             _test(suite, item, checks)

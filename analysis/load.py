@@ -62,8 +62,8 @@ def _evidence(node, case, verdicts):
     key = (case, node.text("variant"), node.text("point"), node.text("check"))
     said = node.one_of("verdict", VERDICTS)
     if key not in verdicts or verdicts[key].verdict != said:
-        node.fail(f"{' / '.join(key)} is '{said}' here and '{getattr(verdicts.get(key), 'verdict', 'absent')}' "
-                  "in verdicts.json")
+        judged = verdicts[key].verdict if key in verdicts else "absent"
+        node.fail(f"{' / '.join(key)} is '{said}' here and '{judged}' in verdicts.json")
     return model.Evidence(verdicts[key], node.text("law"), [_figure(item) for item in node["figures"]])
 
 
@@ -93,7 +93,8 @@ def _sweep(node):
 def _claims(path):
     if path is None or not path.is_file():
         return []
-    return [_plain(model.Claim, item, status=item.one_of("status", CLAIM_STATES)) for item in read_toml(path)["claim"]]
+    return [_plain(model.Claim, item, status=item.one_of("status", CLAIM_STATES))
+            for item in read_toml(path)["claim"]]
 
 
 def _optional(folder, name):
@@ -111,5 +112,5 @@ def load_report(folder, claims=None):
     cases = [_case(read_json(folder, f"evidence/{name}.json"), verdicts) for name in names]
     mutants = [_plain(model.Mutant, item, verdict=item.one_of("verdict", VERDICTS))
                for item in _optional(folder, "mutants.json")]
-    return model.Report(list(verdicts.values()), cases, [_sweep(item) for item in _optional(folder, "sweeps.json")],
-                        mutants, _claims(claims))
+    sweeps = [_sweep(item) for item in _optional(folder, "sweeps.json")]
+    return model.Report(list(verdicts.values()), cases, sweeps, mutants, _claims(claims))

@@ -6,7 +6,8 @@ Everything else is escaped. Only links to the web stay links: others lead out of
 import html
 import re
 
-INLINE = re.compile(r"`([^`]+)`|\*\*(.+?)\*\*|(?<![\w*])[*_](?=\S)(.+?)(?<=\S)[*_](?![\w*])|\[([^\]]+)\]\(([^)\s]+)\)")
+INLINE = re.compile(r"`([^`]+)`|\*\*(.+?)\*\*|(?<![\w*])[*_](?=\S)(.+?)(?<=\S)[*_](?![\w*])"
+                    r"|\[([^\]]+)\]\(([^)\s]+)\)")
 ITEM = re.compile(r"(?:[-*+]|\d+[.)])\s+(.*)")
 HEADING = re.compile(r"(#{1,6})\s+(.*?)\s*#*$")
 
@@ -71,7 +72,8 @@ def _block(block, first_heading):
         return _list(block)
     if len(block) > 1 and re.fullmatch(r"[\s|:-]*-[\s|:-]*", block[1]) and "|" in block[0]:
         return _table(block)
-    start = next((i for i, line in enumerate(block) if i and (HEADING.match(line) or ITEM.match(line))), len(block))
+    starts = [i for i, line in enumerate(block) if i and (HEADING.match(line) or ITEM.match(line))]
+    start = starts[0] if starts else len(block)
     rest = _block(block[start:], first_heading) if start < len(block) else ""
     return f"<p>{inline(' '.join(line.strip() for line in block[:start]))}</p>{rest}"
 

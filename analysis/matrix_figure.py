@@ -1,36 +1,28 @@
 """The matrix of cases and variants as one picture, readable 900 pixels wide."""
 
-import textwrap
-
 from matplotlib.patches import Rectangle
 
 from analysis.plotting import literal, pyplot, save
 from analysis.summary import rows, variants
-from analysis.words import VERDICTS, number, seconds
+from analysis.words import number
 
-WIDTH, ROW, LABEL = 9.0, 0.31, 2.7   # inches
+WIDTH, ROW, LABEL = 9.0, 0.31, 2.3   # inches
 
 
 def _short(text, length):
-    return literal(textwrap.shorten(text, length, placeholder="…") if " " in text else
-                   text if len(text) <= length else text[:length - 1] + "…")
+    return literal(text if len(text) <= length else text[:length - 1] + "…")
 
 
 def _cell(panel, x, y, width, cell):
-    panel.add_patch(Rectangle((x, y), width - 0.04, ROW - 0.04, facecolor=cell.look.colour, alpha=0.22, linewidth=0))
-    panel.add_patch(Rectangle((x, y), 0.05, ROW - 0.04, facecolor=cell.look.colour, linewidth=0))
-    share = cell.shown.share
-    panel.text(x + 0.11, y + ROW / 2 - 0.02, f"{cell.look.symbol} {cell.look.word}", va="center", fontsize=9)
-    if share is not None and width > 1.6:
-        panel.text(x + width - 0.1, y + ROW / 2 - 0.02, number(share, 2), va="center", ha="right", fontsize=8.5,
-                   color="#444444")
-
-
-def _legend(panel, verdicts, height):
-    used = {item.verdict for item in verdicts}
-    words = "    ".join(f"{look.symbol} {look.word}" for name, look in VERDICTS.items() if name in used)
-    panel.text(0.05, height - 0.1, f"{words}        number: worst deviation / budget", fontsize=8.5, color="#444444",
-               va="center")
+    for extent, alpha in ((width - 0.04, 0.22), (0.05, 1)):
+        panel.add_patch(Rectangle((x, y), extent, ROW - 0.04, facecolor=cell.look.colour, alpha=alpha,
+                                  linewidth=0))
+    text = f"{cell.look.symbol} {cell.look.word}"
+    panel.text(x + 0.1, y + ROW / 2 - 0.02, text, va="center", fontsize=8.5)
+    share = "" if cell.shown.share is None else number(cell.shown.share, 2)
+    if 0.072 * len(text + share) + 0.2 < width:
+        panel.text(x + width - 0.08, y + ROW / 2 - 0.02, share, va="center", ha="right", fontsize=8,
+                   color="#444")
 
 
 def draw_matrix(verdicts, stem):
@@ -39,22 +31,24 @@ def draw_matrix(verdicts, stem):
     cases = {}
     for (case, point), cells in rows(verdicts, lambda item: (item.case, item.point)).items():
         cases.setdefault(case, []).append((point, cells))
-    height = ROW * (1.6 + len(cases) + sum(len(points) for points in cases.values())) + 0.35
+    height = ROW * (1 + len(cases) + sum(len(points) for points in cases.values())) + 0.3
     width = (WIDTH - LABEL) / max(1, len(columns))
     picture = pyplot.figure(figsize=(WIDTH, height))
     panel = picture.add_axes([0.005, 0, 0.99, 1], xlim=(0, WIDTH), ylim=(height, 0))
     panel.axis("off")
     for index, variant in enumerate(columns):
-        panel.text(LABEL + width * index + 0.08, ROW * 0.7, _short(variant, int(width * 13)), weight="bold", fontsize=9)
+        panel.text(LABEL + width * index + 0.08, ROW * 0.7, _short(variant, int(width * 10.5)), weight="bold",
+                   fontsize=9)
     y = ROW
     for case, points in cases.items():
         panel.text(0.05, y + ROW * 0.6, _short(case, 60), weight="bold", fontsize=10, va="center")
         panel.plot([0, WIDTH], [y + 0.02, y + 0.02], color="#cccccc", linewidth=0.7)
         y += ROW
         for point, cells in points:
-            panel.text(0.25, y + ROW / 2 - 0.02, _short(point, 32), va="center", fontsize=9)
+            panel.text(0.25, y + ROW / 2 - 0.02, _short(point, 28), va="center", fontsize=9)
             for variant, cell in cells.items():
                 _cell(panel, LABEL + width * columns.index(variant), y, width, cell)
             y += ROW
-    _legend(panel, verdicts, height)
+    panel.text(LABEL, y + 0.14, "number: largest deviation in units of its error budget", fontsize=8,
+               color="#444", va="center")
     save(picture, stem)

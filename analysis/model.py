@@ -1,4 +1,4 @@
-"""What a report folder holds, as plain values. Numbers that the run could not know are None; arrays use NaN."""
+"""What a report folder holds, as plain values. A number that nobody knows is None, in arrays NaN."""
 
 from dataclasses import dataclass, field
 

@@ -16,9 +16,10 @@ def environment(report, folder):
                                 trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined)
     result.filters.update(number=words.number, units=words.units, seconds=words.seconds, size=words.size)
     result.globals.update(
-        report=report, summary=summary, looks=words.VERDICTS, claim_states=words.CLAIM_STATES, with_error=words.with_error, slug=words.slug,
-        total=summary.total, budget_bar=bar.budget_bar, style=(HERE / "style.css").read_text(encoding="utf-8"),
-        kept=lambda name: (folder / name).is_file(), markdown=lambda text: Markup(markdown.render(text)))
+        report=report, summary=summary, looks=words.VERDICTS, claim_states=words.CLAIM_STATES,
+        slug=words.slug, with_error=words.with_error, total=summary.total, budget_bar=bar.budget_bar,
+        style=(HERE / "style.css").read_text(encoding="utf-8"), kept=lambda name: (folder / name).is_file(),
+        markdown=lambda text: Markup(markdown.render(text)))
     return result
 
 

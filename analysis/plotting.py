@@ -7,6 +7,8 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (the backend must be chosen first)
 
+from analysis.words import units  # noqa: E402
+
 # Okabe and Ito's palette without yellow, which is too light for a line on white.
 COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
@@ -24,8 +26,17 @@ def literal(text):
     return text.replace("$", r"\$")
 
 
-def wrapped(text, width):
-    return literal("\n".join(textwrap.wrap(text, width, max_lines=2)))
+def wrapped(text, width, lines=2):
+    return literal("\n".join(textwrap.wrap(text, width, max_lines=lines, placeholder="…")))
+
+
+def axis_label(label, unit, width):
+    """Label and, on its own line, the unit."""
+    return wrapped(label, width) + (literal(f"\n[{units(unit)}]") if units(unit) else "")
+
+
+def headed(picture, title):
+    picture.suptitle(title, x=0.02, y=0.985, ha="left", va="top", fontsize=10.5, weight="bold")
 
 
 def save(figure, stem):

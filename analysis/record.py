@@ -87,8 +87,9 @@ def _read(file):
     root = file["sandglass"]
     if root.attrs["schema"][0] != VERSION_MAJOR:
         raise ValueError(f"schema {root.attrs['schema'][0]} where this reader knows {VERSION_MAJOR}")
-    return Record(_word(root["scene"][()]), {name: _word(value) for name, value in root["provenance"].attrs.items()},
-                  root["seed"][()], _each(root["counters"], lambda item: item[()]),
+    provenance = {name: _word(value) for name, value in root["provenance"].attrs.items()}
+    return Record(_word(root["scene"][()]), provenance, root["seed"][()],
+                  _each(root["counters"], lambda item: item[()]),
                   _each(root["timings"], lambda item: float(item[()])), _each(root["series"], _series),
                   _each(root["estimates"], _estimate))
 

@@ -1,4 +1,4 @@
-"""The sums that the pages show: headline, matrix of cases and variants, claims, cost. No verdict is made here."""
+"""The sums that the pages show: headline, matrix, claims, cost. No verdict is made here."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ class Cell:
 
     @property
     def shown(self):
-        """The check that this cell reports: largest deviation per budget among those with the cell's verdict."""
+        """The check that this cell reports: the largest deviation per budget with the cell's verdict."""
         candidates = [item for item in self.verdicts if item.verdict == self.verdict]
         return max(candidates, key=lambda item: -1.0 if item.share is None else item.share)
 
@@ -45,15 +45,16 @@ def rows(verdicts, row_key):
     collected = {}
     for item in verdicts:
         collected.setdefault(row_key(item), {}).setdefault(item.variant, []).append(item)
-    return {row: {variant: Cell(items) for variant, items in cells.items()} for row, cells in collected.items()}
+    return {row: {variant: Cell(items) for variant, items in cells.items()}
+            for row, cells in collected.items()}
 
 
 def by_point(case):
-    """{point: evidence}, in the order of the case; the variants of one check beside each other."""
-    points = dict.fromkeys(item.verdict.point for item in case.evidence)
-    checks = list(dict.fromkeys(item.verdict.check for item in case.evidence))
-    return {point: sorted((item for item in case.evidence if item.verdict.point == point),
-                          key=lambda item: checks.index(item.verdict.check)) for point in points}
+    """{point: {check: evidence of all variants}}, in the order of the case."""
+    points = {}
+    for item in case.evidence:
+        points.setdefault(item.verdict.point, {}).setdefault(item.verdict.check, []).append(item)
+    return points
 
 
 def faults(mutants):
@@ -64,27 +65,26 @@ def faults(mutants):
     return caught
 
 
-def _plural(amount, one, many):
-    return f"{amount} {one if amount == 1 else many}"
+def _many(amount, one, many=None):
+    return f"{amount} {one if amount == 1 else many or one + 's'}"
 
 
 def headline(report):
     """The whole report in one sentence."""
-    tally = count(report.verdicts)
-    known = tally["expected-fail"]
-    parts = [f"{tally['pass']} of {_plural(len(report.verdicts) - known - tally['unexpected-pass'], 'check', 'checks')} "
-             + ("holds" if tally["pass"] == 1 else "hold")]
+    tally, caught = count(report.verdicts), faults(report.mutants)
+    limits = tally["expected-fail"] + tally["unexpected-pass"]
+    verb = "holds" if tally["pass"] == 1 else "hold"
+    parts = [f"{tally['pass']} of {_many(len(report.verdicts) - limits, 'check')} {verb}"]
     if tally["fail"]:
-        parts.append(f"{tally['fail']} " + ("fails" if tally["fail"] == 1 else "fail"))
+        parts.append(_many(tally["fail"], "fails", "fail"))
     if tally["inconclusive"]:
         parts.append(f"{tally['inconclusive']} inconclusive")
-    if known:
-        parts.append(_plural(known, "known limit", "known limits") + " confirmed")
+    if tally["expected-fail"]:
+        parts.append(_many(tally["expected-fail"], "known limit") + " confirmed")
     if tally["unexpected-pass"]:
-        parts.append(_plural(tally["unexpected-pass"], "known limit", "known limits") + " not seen")
-    caught = faults(report.mutants)
+        parts.append(_many(tally["unexpected-pass"], "known limit") + " not seen")
     if caught:
-        parts.append(f"{sum(caught.values())} of {_plural(len(caught), 'planted fault', 'planted faults')} caught")
+        parts.append(f"{sum(caught.values())} of {_many(len(caught), 'planted fault')} caught")
     return "; ".join(parts)
 
 

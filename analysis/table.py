@@ -4,10 +4,11 @@ import os
 import sys
 
 from analysis.summary import headline, rows
-from analysis.words import GOOD, UNKNOWN, number, seconds
+from analysis.words import GOOD, number, seconds
 
 HEAD = ("case", "point", "variant", "verdict", "checks", "worst check", "deviation/budget", "CPU time")
-STYLES = {"pass": "green", "expected-fail": "blue", "inconclusive": "yellow", "unexpected-pass": "magenta", "fail": "red"}
+STYLES = {"pass": "green", "expected-fail": "blue", "inconclusive": "yellow", "unexpected-pass": "magenta",
+          "fail": "red"}
 CODES = {"green": 32, "blue": 34, "yellow": 33, "magenta": 35, "red": 31}
 
 WIDEST = 32
@@ -28,10 +29,10 @@ def lines(report):
     for (case, point), cells in rows(report.verdicts, lambda item: (item.case, item.point)).items():
         for variant, cell in cells.items():
             good = sum(item.verdict in GOOD for item in cell.verdicts)
-            share = cell.shown.share
             found.append((cell.verdict, (
-                _short(case), _short(point), _short(variant), f"{cell.look.symbol} {cell.look.word}", f"{good}/{len(cell.verdicts)}",
-                _short(cell.shown.check), UNKNOWN if share is None else number(share, 2), seconds(cell.cpu_seconds))))
+                _short(case), _short(point), _short(variant), f"{cell.look.symbol} {cell.look.word}",
+                f"{good}/{len(cell.verdicts)}", _short(cell.shown.check), number(cell.shown.share, 2),
+                seconds(cell.cpu_seconds))))
     return found
 
 
@@ -53,7 +54,8 @@ def _rich(content, stream):
 
     table = Table(*HEAD, box=None, header_style="bold")
     for verdict, line in content:
-        table.add_row(*(Text(text, style=STYLES[verdict] if column == 3 else "") for column, text in enumerate(line)))
+        table.add_row(*(Text(text, style=STYLES[verdict] if column == 3 else "")
+                        for column, text in enumerate(line)))
     Console(file=stream).print(table)
 
 

@@ -22,14 +22,16 @@ class Look:
 # From good to bad: of several verdicts in one cell the last one shows.
 VERDICTS = {
     "pass": Look("✓", "pass", "#009e73", "the deviation lies inside the error budget"),
-    "expected-fail": Look("◇", "known limit", "#0072b2", "the method is known to be unable to do this, and is"),
+    "expected-fail": Look("◇", "known limit", "#0072b2",
+                          "the method is known to be unable to do this, and is"),
     "inconclusive": Look("?", "inconclusive", "#e69f00", "the error bar is too wide to tell; blocks"),
     "unexpected-pass": Look("!", "unexpected pass", "#cc79a7", "a known limit was not seen; blocks"),
     "fail": Look("✗", "fail", "#d55e00", "the deviation exceeds the error budget; blocks"),
 }
 
 GOOD = ("pass", "expected-fail")   # every other verdict blocks
-CLAIM_STATES = {"reproduced": ("✓", "pass"), "not reproduced": ("✗", "fail"), "not yet tested": ("·", "plain")}
+CLAIM_STATES = {"reproduced": ("✓", "pass"), "not reproduced": ("✗", "fail"),
+                "not yet tested": ("·", "plain")}
 
 
 def worst(verdicts):

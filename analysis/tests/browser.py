@@ -10,7 +10,8 @@ import time
 import urllib.request
 
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-         "--disable-background-networking", "--disable-component-update", "--disable-sync", "--hide-scrollbars"]
+         "--disable-background-networking", "--disable-component-update", "--disable-sync",
+         "--hide-scrollbars"]
 
 
 def available():
@@ -60,7 +61,8 @@ class Browser:
         raise TimeoutError("chromedriver does not answer")
 
     def _start(self):
-        options = {"args": FLAGS + [f"--user-data-dir={self.profile.name}"], "binary": shutil.which("chromium")}
+        flags = FLAGS + [f"--user-data-dir={self.profile.name}"]
+        options = {"args": flags, "binary": shutil.which("chromium")}
         wanted = {"goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}
         return self._call("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})["sessionId"]
 

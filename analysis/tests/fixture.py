@@ -10,11 +10,12 @@ import numpy as np
 VARIANTS = ["dsmc", "dsmc-enskog", "cba", "cba-corrected", "cuba"]
 HOSTILE = '<script>alert("x")</script> & $\\frac{1}{0$ </style>'
 LONG = "3d-a-point-with-a-name-so-long-that-no-column-of-any-table-could-hold-it-without-breaking-the-line"
-PROVENANCE = {"program_version": "0.1.0", "commit": "0123456789abcdef+changes", "build": "Release g++ 12.2 -O3",
-              "created": "2024-05-01T12:00:00Z"}
-SCENE = '[domain]\ndimension = 2\nsize = [100.0, 100.0]\n\n[species]\narea-fraction = 0.25\nname = "<b>disks</b>"\n'
+PROVENANCE = {"program_version": "0.1.0", "commit": "0123456789abcdef+changes",
+              "build": "Release g++ 12.2 -O3",              "created": "2024-05-01T12:00:00Z"}
+SCENE = '[domain]\ndimension = 2\nsize = [100.0, 100.0]\n\n[species]\narea-fraction = 0.25\nname = "<b>d</b>"\n'
 README = """# Equilibrium gas
-Elastic disks in a *periodic* box; **nothing** may drift, see `scene.toml` and [Enskog](https://example.org/enskog).
+Elastic disks in a *periodic* box; **nothing** may drift, see `scene.toml` and
+[Enskog](https://example.org/enskog).
 
 - collision rate
 - pressure with the
@@ -38,10 +39,10 @@ def verdict(case, variant, point, check, word="pass", value=1.0, stderr=0.001, e
     deviation = abs(value - expected) if known else None
     row = {"case": case, "variant": variant, "point": point, "check": check, "claim": "BAR-2",
            "summary": f"{check.replace('-', ' ')} against theory", "units": "time^-1", "verdict": word,
-           "reason": f"deviation {deviation} with budget {budget}", "value": value, "stderr": stderr,
-           "expected": expected, "deviation": deviation, "budget": budget,
-           "budget_parts": {"statistical": 4 * stderr if known else None, "reference": 0.0, "systematic": 0.001,
-                            "reason": "finite N: 1/N of the rate", "resolution": 0.01},
+           "reason": f"deviation {deviation:.3g}, budget {budget:.3g}" if known else "no error bar",
+           "value": value, "stderr": stderr, "expected": expected, "deviation": deviation, "budget": budget,
+           "budget_parts": {"statistical": 4 * stderr if known else None, "reference": 0.0,
+                            "systematic": 0.001, "reason": "finite N: 1/N of the rate", "resolution": 0.01},
            "cpu_seconds": 1.53, "work": 1.0e7, "work_units": "particle-moves", "peak_bytes": 1.2e6, "seed": 1,
            "tier": "standard"}
     return row | more
@@ -75,14 +76,15 @@ def histogram_figure(seed, title="velocity distribution"):
 
 
 def single_figure():
-    return {"title": "one sample", "x": axis("time", "time"), "y": axis("collision rate", "time^-1"), "lines": [],
-            "points": [{"name": "a single point", "x": [1.0], "y": [1.02], "error": [], "expected": [1.0]},
+    return {"title": "one sample", "x": axis("time", "time"), "y": axis("collision rate", "time^-1"),
+            "lines": [], "points": [{"name": "a single point", "x": [1.0], "y": [1.02], "error": [], "expected": [1.0]},
                        {"name": "nothing at all", "x": [], "y": [], "error": [], "expected": []}]}
 
 
 def empty_figure():
     return {"title": "unknown " + HOSTILE, "x": axis("x $", "1"), "y": axis("y", "1"), "lines": [],
-            "points": [{"name": HOSTILE, "x": [1.0, 2.0], "y": [None, None], "error": [None, None], "expected": []}]}
+            "points": [{"name": HOSTILE, "x": [1.0, 2.0], "y": [None, None], "error": [None, None],
+                        "expected": []}]}
 
 
 def equilibrium():
@@ -93,23 +95,25 @@ def equilibrium():
             value = 0.74 if limit else 1 + 0.0006 * np.sin(3 * index + column)
             rows += [(verdict("equilibrium-gas", variant, point, "collision-rate",
                               "expected-fail" if limit else "pass", float(value)), [histogram_figure(index)]),
-                     (verdict("equilibrium-gas", variant, point, "momentum-conservation", "pass", 1e-15, 0.0, 0.0,
-                              units="mass length time^-1", claim=""), [])]
+                     (verdict("equilibrium-gas", variant, point, "momentum-conservation", "pass", 1e-15, 0.0,
+                              0.0, units="mass length time^-1", claim=""), [])]
     return rows
 
 
 def awkward():
     case = 'awkward <b> & "case"'
     return [
-        (verdict(case, "cba", "2d", "fails", "fail", 1.3, reason=HOSTILE), [single_figure(), decay_figure(1)]),
-        (verdict(case, "cba", LONG, "unknown", "inconclusive", None, None, None, cpu_seconds=None), [empty_figure()]),
+        (verdict(case, "cba", "2d", "fails", "fail", 1.3, reason=HOSTILE),
+         [single_figure(), decay_figure(1)]),
+        (verdict(case, "cba", LONG, "unknown", "inconclusive", None, None, None, cpu_seconds=None),
+         [empty_figure()]),
         (verdict(case, HOSTILE, "2d", "surprise", "unexpected-pass", summary=HOSTILE, claim="MUL-4"), []),
     ]
 
 
 def cooling():
-    return [(verdict("homogeneous-cooling", variant, f"2d-restitution-{r}", "haff", value=1.0004, claim="MUL-1, MUL-3",
-                     units="1"), [decay_figure(3)]) for r in (0.9, 0.5) for variant in ("dsmc", "cba")]
+    return [(verdict("homogeneous-cooling", variant, f"2d-restitution-{r}", "haff", value=1.0004, units="1",
+                     claim="MUL-1, MUL-3"), [decay_figure(3)]) for r in (0.9, 0.5) for variant in ("dsmc", "cba")]
 
 
 def evidence(rows):
@@ -121,11 +125,11 @@ def evidence(rows):
             "record": "records/not-kept.h5", "cpu_seconds": row["cpu_seconds"], "wall_seconds": 1.6,
             "peak_bytes": 1.2e6, "work": 1e7, "work_units": "particle-moves",
             "counters": {"collisions": 1000000, "bound-exceeded": 0}, "provenance": PROVENANCE}
-    equations = [{"tex": "\\omega = 2\\sqrt{\\pi}\\, n d\\, g(\\nu)\\sqrt{T/m}", "text": "omega = 2 sqrt(pi) n d g sqrt(T/m)",
-                  "citation": "Enskog collision rate of disks"},
+    equations = [{"tex": "\\omega = 2\\sqrt{\\pi}\\, n d\\, g(\\nu)\\sqrt{T/m}",
+                  "text": "omega = 2 sqrt(pi) n d g sqrt(T/m)", "citation": "Enskog collision rate of disks"},
                  {"tex": "\\nosuchcommand{", "text": "p = n T < unreadable >", "citation": HOSTILE}]
-    return {"case": rows[0][0]["case"], "topic": "kinetic-theory", "summary": "Elastic gas against Enskog theory",
-            "question": "Does each method give the Enskog collision rate?", "claims": ["BAR-2"],
+    return {"case": rows[0][0]["case"], "topic": "kinetic-theory",
+            "summary": "Elastic gas against Enskog theory", "question": "Does each method give the Enskog collision rate?", "claims": ["BAR-2"],
             "equations": equations, "readme": README, "runs": list(runs.values()),
             "evidence": [row | {"law": "enskog-collision-rate", "figures": figures} for row, figures in rows]}
 
@@ -136,18 +140,19 @@ def sweep(knob="time-step", variant="dsmc", order=2.0, knobs=(0.125, 0.25, 0.5, 
     return {"case": "shear-wave", "variant": variant, "knob": knob, "knob_label": f"{knob} [mean free times]",
             "quantity": "kinematic viscosity", "units": "length^2 time^-1", "reference": 0.5,
             "reference_error": 0.002, "reference_source": "Enskog theory, first order", "expected_order": 2,
-            "points": points, "order": 1.97, "order_stderr": 0.1, "order_reason": "weighted fit over clear points"}
+            "points": points, "order": 1.97, "order_stderr": 0.1, "order_reason": "fit over clear points"}
 
 
 def unfitted_sweep():
     broken = sweep("replicas", "cba", -0.5, (1, 4))
-    broken["points"].append({"knob": 8, "value": None, "stderr": None, "error": None, "cpu_seconds": None, "work": None})
-    return broken | {"order": None, "order_stderr": None, "order_reason": "too few clear points", "expected_order": None}
+    unknown = dict.fromkeys(("value", "stderr", "error", "cpu_seconds", "work"))
+    broken["points"].append({"knob": 8} | unknown)
+    return broken | {"order": None, "order_stderr": None, "order_reason": "too few points", "expected_order": None}
 
 
 def mutant(mutation, check, caught):
-    return {"mutation": mutation, "summary": mutation.replace("-", " "), "case": "equilibrium-gas", "variant": "dsmc",
-            "point": "2d-dilute", "check": check, "verdict": "fail" if caught else "pass", "caught": caught,
+    return {"mutation": mutation, "summary": mutation.replace("-", " "), "case": "equilibrium-gas",
+            "variant": "dsmc", "point": "2d-dilute", "check": check, "verdict": "fail" if caught else "pass", "caught": caught,
             "value": 1.05, "expected": 1.0, "budget": 0.004}
 
 
@@ -175,9 +180,10 @@ def write(folder, files):
 def ledger(folder):
     """Writes a small ledger of claims; returns its path."""
     path = Path(folder) / "claims.toml"
-    path.write_text("".join(f'[[claim]]\nid = "{name}"\nsource = "a source"\ntext = "a claim"\nstatus = "{status}"\n'
-                            for name, status in (("BAR-2", "reproduced"), ("MUL-1", "not reproduced"),
-                                                 ("GRE-1", "not yet tested"))), encoding="utf-8")
+    states = {"BAR-2": "reproduced", "MUL-1": "not reproduced", "GRE-1": "not yet tested"}
+    rows = [f'[[claim]]\nid = "{name}"\nsource = "a source"\ntext = "a claim"\nstatus = "{status}"\n'
+            for name, status in states.items()]
+    path.write_text("".join(rows), encoding="utf-8")
     return path
 
 

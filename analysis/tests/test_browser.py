@@ -1,4 +1,4 @@
-"""Every page in a real browser, as a laptop and as a phone shows it. Skipped where Chromium is not installed."""
+"""Every page in a real browser, laptop and phone. Skipped where Chromium is not installed."""
 
 import pytest
 

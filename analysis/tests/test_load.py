@@ -22,17 +22,21 @@ def figure(files):
 
 
 BREAKAGES = {
-    "missing key": (lambda f: f["verdicts.json"][3].pop("budget"), "verdicts.json: [3]: key 'budget' is missing"),
+    "missing key": (lambda f: f["verdicts.json"][3].pop("budget"),
+                    "verdicts.json: [3]: key 'budget' is missing"),
     "unknown verdict": (lambda f: f["verdicts.json"][0].update(verdict="maybe"),
                         "verdicts.json: [0].verdict: 'maybe' is not one of pass, expected-fail"),
-    "text for number": (lambda f: f["verdicts.json"][0].update(value="1.0"), "[0].value: must be a number or null"),
-    "flag for number": (lambda f: f["verdicts.json"][0].update(seed=True), "[0].seed: must be a whole number"),
+    "text for number": (lambda f: f["verdicts.json"][0].update(value="1.0"),
+                        "[0].value: must be a number or null"),
+    "flag for number": (lambda f: f["verdicts.json"][0].update(seed=True),
+                        "[0].seed: must be a whole number"),
     "twice": (lambda f: f["verdicts.json"].append(f["verdicts.json"][0]), "appears twice"),
     "unequal arrays": (lambda f: figure(f)["points"][0]["y"].pop(),
                        f"{CASE}: evidence[0].figures[0].points[0].y: has 30 values where x has 31"),
     "short errors": (lambda f: figure(f)["points"][1]["error"].pop(), "points[1].error: has 30 values"),
     "unequal line": (lambda f: figure(f)["lines"][0]["x"].pop(), "lines[0].y: has 31 values where x has 30"),
-    "other verdict": (lambda f: f[CASE]["evidence"][0].update(verdict="fail"), "is 'fail' here and 'pass' in verdicts"),
+    "other verdict": (lambda f: f[CASE]["evidence"][0].update(verdict="fail"),
+                      "is 'fail' here and 'pass' in verdicts"),
     "no evidence": (lambda f: f[CASE]["evidence"].pop(), "stands in verdicts.json but not here"),
     "no file": (lambda f: f.pop(CASE), "No such file or directory; write the folder again"),
     "not an array": (lambda f: f.update({"sweeps.json": {}}), "sweeps.json: must be an array"),
@@ -50,7 +54,7 @@ def test_breakage_is_named(tmp_path, name):
     assert "; " in str(caught.value), "a remedy follows"
 
 
-@pytest.mark.parametrize("text, problem", [('[{"case": ', "not valid JSON"), ("[NaN]", "NaN is not a JSON number"),
+@pytest.mark.parametrize("text, problem", [('[{"case": ', "not valid JSON"), ("[NaN]", "NaN is not a JSON"),
                                            ("\x00", "not valid JSON")])
 def test_malformed_json_is_named(folder, text, problem):
     (folder / "verdicts.json").write_text(text, encoding="utf-8")
@@ -78,8 +82,8 @@ def test_ledger_is_read(folder):
     assert [claim.id for claim in report.claims] == ["BAR-2", "MUL-1", "GRE-1"]
 
 
-def run(*words, **more):
-    return subprocess.run([sys.executable, "-m", "analysis", *words], cwd=ROOT, capture_output=True, text=True, **more)
+def run(*words):
+    return subprocess.run([sys.executable, "-m", "analysis", *words], cwd=ROOT, capture_output=True, text=True)
 
 
 @pytest.mark.parametrize("command", ["report", "table"])

@@ -21,7 +21,8 @@ def test_number(value, text):
 
 
 @pytest.mark.parametrize("value, error, text", [(1.00119, 0.00104, "1.0012 ± 0.0010"), (12.0, 3.0, "12.0 ± 3.0"),
-                                                (120.0, 30.0, "120 ± 30"), (1.0, None, "1"), (1e-15, 0.0, "1×10⁻¹⁵ ± 0")])
+                                                (120.0, 30.0, "120 ± 30"), (1.0, None, "1"),
+                                                (1e-15, 0.0, "1×10⁻¹⁵ ± 0")])
 def test_with_error(value, error, text):
     assert words.with_error(value, error) == text
 
@@ -29,7 +30,8 @@ def test_with_error(value, error, text):
 def test_units_seconds_size():
     assert words.units("mass length^2 time^-2") == "mass length² time⁻²"
     assert words.units("1") == ""
-    assert [words.seconds(x) for x in (0.012, 1.53, 83, 7260, None)] == ["12 ms", "1.53 s", "1 min 23 s", "2 h 1 min", "–"]
+    assert [words.seconds(x) for x in (0.012, 1.53, 83, 7260)] == ["12 ms", "1.53 s", "1 min 23 s", "2 h 1 min"]
+    assert words.seconds(None) == "–"
     assert [words.size(x) for x in (999, 1.2e6, 3e9)] == ["999 B", "1.2 MB", "3 GB"]
 
 
@@ -53,8 +55,8 @@ def test_cell_shows_its_worst_verdict(folder):
 
 
 def test_a_fault_is_caught_by_one_check(folder):
-    assert faults(load_report(folder).mutants) == {"cross-section-plus-5-percent": True, "acceptance-inverted": True,
-                                                   "offset-dropped": False}
+    assert faults(load_report(folder).mutants) == {
+        "cross-section-plus-5-percent": True, "acceptance-inverted": True, "offset-dropped": False}
 
 
 def test_claims_stand_beside_their_verdicts(folder):
@@ -90,7 +92,8 @@ def test_residuals_choose_their_unit():
     assert label == STANDARD and errors is None
     assert values[0] == pytest.approx(2) and np.isnan(values[1])
     bare = model.Points("", [1.0], [1.1], [], [1.0])
-    assert residual(bare, axis, judged())[0] == pytest.approx(20) and residual(bare, axis, judged())[2] == BUDGET
+    values, errors, label = residual(bare, axis, judged())
+    assert label == BUDGET and errors is None and values == pytest.approx(20)
     other = residual(bare, model.Axis("length", "length", False), judged())
     assert other[0] == pytest.approx(0.1) and other[2] == "residual [length]"
 
@@ -107,7 +110,8 @@ def test_sweep_columns_leave_out_the_unknown(folder):
 
 def test_markdown_is_small_and_safe():
     text = markdown.render(fixture.README)
-    assert "<h3>Equilibrium gas</h3>" in text and "<em>periodic</em>" in text and "<strong>nothing</strong>" in text
+    assert "<h3>Equilibrium gas</h3>" in text and "<em>periodic</em>" in text
+    assert "<strong>nothing</strong>" in text
     assert '<a href="https://example.org/enskog">Enskog</a>' in text
     assert "<li>pressure with the contact value</li>" in text and "<td>Enskog</td>" in text
     assert "restitution = 1.0  # &lt;elastic&gt;" in text
