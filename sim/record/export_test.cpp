@@ -119,7 +119,8 @@ TEST(Export, RefusesWhatItCannotDo) {
   EXPECT_THAT(refusal(record, "vtq", folder / "run"), HasSubstr("did you mean 'vtp'"));
   record.trajectory.clear();
   for (const std::string format : {"vtp", "xyz", "mdanalysis"})
-    EXPECT_THAT(refusal(record, format, folder / "run"), HasSubstr("add 'trajectory' to [output]"));
+    EXPECT_THAT(refusal(record, format, folder / "run"),
+                HasSubstr("add 'trajectory = { steps = 100 }' to [output]"));
   EXPECT_NO_THROW(export_record(record, "csv", folder / "run.csv"));
   EXPECT_THROW(export_record(sample_record(), "xyz", folder / "missing/run.xyz"), RunError);
   EXPECT_EQ(export_formats().size(), 4u);

@@ -49,8 +49,7 @@ std::vector<std::string> export_record(const Record& record, const std::string& 
   const Entry& entry = entry_of(format);
   if (entry.needs_trajectory && record.trajectory.empty())
     throw InputError("the record holds no trajectory, which the format '" + format +
-                     "' needs: add 'trajectory' to [output] of the scene, for instance "
-                     "'trajectory = { every = 100, unit = \"steps\" }', and run it again");
+                     "' needs: add 'trajectory = { steps = 100 }' to [output] of the scene and run it again");
   return entry.write(record, path, shape);
 }
 

@@ -32,7 +32,7 @@ std::string frame_text(const Record& record, const Frame& frame, const ParticleS
   for (std::size_t particle = 0; particle < count; ++particle) {
     const double* x = &position[3 * particle];
     const double* v = &velocity[3 * particle];
-    fmt::format_to(std::back_inserter(text), "A {} {} {} {} {} {} {}", x[0], x[1], x[2], v[0], v[1], v[2],
+    fmt::format_to(std::back_inserter(text), "X {} {} {} {} {} {} {}", x[0], x[1], x[2], v[0], v[1], v[2],
                    shape.diameter / 2);
     if (!frame.id.empty()) fmt::format_to(std::back_inserter(text), " {}", frame.id[particle]);
     text += '\n';

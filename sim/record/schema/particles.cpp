@@ -16,7 +16,7 @@ std::size_t particles_in(const Frame& frame, std::size_t width) {
 }
 
 template <class T>
-std::vector<T> stacked(const std::vector<Frame>& frames, std::vector<T> Frame::*member, std::size_t row,
+std::vector<T> stacked(std::span<const Frame> frames, std::vector<T> Frame::*member, std::size_t row,
                        T fill) {
   std::vector<T> all(frames.size() * row, fill);
   for (std::size_t frame = 0; frame < frames.size(); ++frame)
@@ -68,7 +68,7 @@ void read_box(const hdf5::Reader& group, Record& record) {
   record.box_size = group.numbers<double>("edges", {axes});
 }
 
-void write_clock(const hdf5::Writer& element, const std::vector<Frame>& frames) {
+void write_clock(const hdf5::Writer& element, std::span<const Frame> frames) {
   std::vector<double> times;
   std::vector<std::uint64_t> steps;
   for (const Frame& frame : frames) {
@@ -79,7 +79,7 @@ void write_clock(const hdf5::Writer& element, const std::vector<Frame>& frames) 
   element.numbers<std::uint64_t>(names::step, {frames.size()}, steps);
 }
 
-void write_trajectory(const hdf5::Writer& group, const std::vector<Frame>& frames, int dimension) {
+void write_trajectory(const hdf5::Writer& group, std::span<const Frame> frames, int dimension) {
   if (frames.empty()) return;
   const auto width = static_cast<std::size_t>(dimension);
   std::vector<std::uint64_t> counts;

@@ -49,7 +49,7 @@ std::vector<Replica> read_replicas(const hdf5::Reader& group) {
 void write_state(const hdf5::Writer& group, const State& state, int dimension) {
   group.number<std::uint64_t>(names::step, state.step);
   group.number<double>(names::time, state.time);
-  write_trajectory(group.group(names::particles), {state.particles}, dimension);
+  write_trajectory(group.group(names::particles), std::span<const Frame>(&state.particles, 1), dimension);
   write_series(group.group(names::series), {&state.series});
   write_scalars(group.group(names::counters), state.counters);
   const hdf5::Writer memory_group = group.group(names::memory);
