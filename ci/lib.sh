@@ -148,12 +148,13 @@ prepare() {
       "$(packages_of "${python_groups[@]}" | paste -sd ' ')"
 }
 
-# Configures once; afterwards ninja itself runs CMake again when a list of files changed.
+# Warnings are errors in the build of the scripts; once configured, ninja runs CMake again when it must.
 configure() {
-  local cache=$build/CMakeCache.txt
-  if [[ -f $build/build.ninja ]] && grep -q '^SANDGLASS_WARNINGS_AS_ERRORS:BOOL=ON$' "$cache" &&
-    grep -qx "CMAKE_HOME_DIRECTORY:INTERNAL=$top" "$cache"; then
-    return
-  fi
   cmake -S "$top" --fresh --preset release -DSANDGLASS_WARNINGS_AS_ERRORS=ON
+}
+
+is_configured() {
+  local cache=$build/CMakeCache.txt
+  [[ -f $build/build.ninja ]] && grep -qx 'SANDGLASS_WARNINGS_AS_ERRORS:BOOL=ON' "$cache" &&
+    grep -qx "CMAKE_HOME_DIRECTORY:INTERNAL=$top" "$cache"
 }
