@@ -1,0 +1,96 @@
+#include "validation/check/finite_size.hpp"
+#include "validation/check/synthetic.hpp"
+#include "validation/law/enskog.hpp"
+#include "validation/law/state.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+// Each check sees data drawn from its law (within four errors) and from a law that is off (beyond ten).
+
+namespace sandglass {
+namespace {
+
+using namespace synthetic;
+
+double significance(const Evidence& evidence) {
+  return std::abs(evidence.value - evidence.expected) / evidence.standard_error;
+}
+
+Evidence collision_rate_of(double rate_error) {
+  const GasScene scene;
+  Record record = record_of(scene, 2);
+  Generator generator(4);
+  const double rate = (1 + rate_error) * law::collision_rate(scene.gas()) * collision_rate_factor(1000, 2);
+  for (std::size_t replica = 0; replica < 2; ++replica) {
+    std::poisson_distribution<int> collisions(rate * 1000 / 2);
+    add_sample(add_series(record, replica, "temperature", {"x", "y", "total"}), 0, {1, 1, 1});
+    Series& series = add_series(record, replica, "collisions", {});
+    double total = 0;
+    for (int i = 0; i < 200; ++i) {
+      add_sample(series, i, {total});
+      total += collisions(generator);
+    }
+  }
+  return run_check(find_check("collision-rate"), record, {});
+}
+
+TEST(CollisionRate, SeesEnskogAndFivePercentOff) {
+  EXPECT_LT(significance(collision_rate_of(0)), 4);
+  EXPECT_GT(significance(collision_rate_of(0.05)), 10);
+  EXPECT_LT(collision_rate_of(0).standard_error, 0.003 * collision_rate_of(0).expected);
+}
+
+Evidence compressibility_of(double restitution, double collisional_error) {
+  const GasScene scene{.restitution = restitution};
+  Record record = record_of(scene, 10);
+  Generator generator(5);
+  std::normal_distribution<double> noise(0, 0.01);
+  const double ratio = law::compressibility_factor(scene.gas()) - 1;
+  for (std::size_t replica = 0; replica < 10; ++replica) {
+    Series& series = add_series(record, replica, "pressure", {"kinetic", "collisional", "total"});
+    add_sample(series, 0, {0, 0, 0});
+    for (int i = 1; i < 20; ++i) {
+      const double collisional = ratio * (1 + collisional_error) + noise(generator);
+      add_sample(series, i, {1, collisional, 1 + collisional});
+    }
+  }
+  return run_check(find_check("compressibility"), record, {});
+}
+
+TEST(Compressibility, SeesTheEquationOfStateAndADroppedOffset) {
+  EXPECT_LT(significance(compressibility_of(1, 0)), 4);
+  EXPECT_GT(significance(compressibility_of(1, -0.1)), 10);
+  EXPECT_EQ(compressibility_of(1, 0).budget.systematic, 0);
+}
+
+TEST(Compressibility, DissipationWidensTheBudgetByTheCoolingOfAStep) {
+  const Evidence evidence = compressibility_of(0.8, 0);
+  EXPECT_NEAR(evidence.budget.systematic, 0.36 / 2 * 0.01 * (evidence.expected - 1), 1e-12);
+}
+
+Evidence conservation_of(const std::string& check, double drift) {
+  Record record = record_of({}, 1);
+  add_series(record, 0, "energy", {"translational"});
+  add_series(record, 0, "collisions", {});
+  for (int i = 0; i < 5; ++i) {
+    add_sample(record.replicas[0].series[0], i, {1000 * (1 + drift * i)});
+    add_sample(record.replicas[0].series[1], i, {50000.0 * i});
+  }
+  return run_check(find_check(check), record, {});
+}
+
+TEST(EnergyConservation, RoundingIsAllowedALeakIsNot) {
+  const Evidence rounding = conservation_of("energy-conservation", 2e-16);
+  EXPECT_LT(rounding.value, rounding.budget.systematic);
+  const Evidence leak = conservation_of("energy-conservation", 1e-9);
+  EXPECT_GT(leak.value, leak.budget.systematic);
+}
+
+TEST(EnergyConservation, NotANumberStaysVisible) {
+  EXPECT_TRUE(std::isnan(conservation_of("energy-conservation", std::nan("")).value));
+}
+
+}  // namespace
+}  // namespace sandglass
