@@ -13,7 +13,6 @@ broke=3
 step() {
   local name=$1 text=$2 started=$SECONDS status=0
   shift 2
-  mkdir -p "$logs"
   printf '%s ... ' "$text"
   "$@" >"$logs/$name.log" 2>&1 </dev/null || status=$?
   if ((status == 0)); then
@@ -139,6 +138,7 @@ find_python() {
 prepare() {
   local may_install=$1 groups=("${@:3}")
   local -a python_groups modules
+  mkdir -p "$logs" || refuse "cannot write to $logs; remedy: a copy of the repository that you may write to"
   read -ra python_groups <<<"$2"
   mapfile -t modules < <(packages_of "${python_groups[@]}" | sed -n 's/^python3-//p')
   python=$(find_python "${modules[@]}") || groups+=("${python_groups[@]}")
