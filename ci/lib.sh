@@ -120,12 +120,12 @@ install_packages() {
     apt install --no-install-recommends "${missing[@]}" || exit "$broke"
 }
 
-# find_python MODULE...: prints the first interpreter that can import them all.
+# find_python MODULE...: prints the first interpreter, 3.11 or newer, that can import them all.
 find_python() {
   local candidate modules=$*
   local environment=${VIRTUAL_ENV:+$VIRTUAL_ENV/bin/python3}
   for candidate in "${SANDGLASS_PYTHON:-}" "$environment" python3 /usr/bin/python3; do
-    if [[ -n $candidate ]] && "$candidate" -c "import ${modules// /, }" >/dev/null 2>&1; then
+    if [[ -n $candidate ]] && "$candidate" -c "import tomllib, ${modules// /, }" >/dev/null 2>&1; then
       command -v "$candidate"
       return
     fi
@@ -144,7 +144,7 @@ prepare() {
   python=$(find_python "${modules[@]}") || groups+=("${python_groups[@]}")
   install_packages "$may_install" "${groups[@]}"
   python=${python:-$(find_python "${modules[@]}")} ||
-    refuse "no Python can import ${modules[*]}; remedy: set SANDGLASS_PYTHON to one that can, or install" \
+    refuse "no Python 3.11 can import ${modules[*]}; remedy: set SANDGLASS_PYTHON to one that can, or install" \
       "$(packages_of "${python_groups[@]}" | paste -sd ' ')"
 }
 
