@@ -34,6 +34,10 @@ def main():
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
+    except OSError as error:
+        remedy = "make the folder writable, or free space"
+        print(f"error: {error.filename}: {error.strerror}; {remedy}", file=sys.stderr)
+        return 2
     return 0
 
 

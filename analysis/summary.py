@@ -131,6 +131,8 @@ def provenance(report):
     for case in report.cases:
         for run in case.runs:
             for key, value in run.provenance.items():
+                if not value:
+                    continue
                 collected.setdefault(key, {})[value] = None
     distinct = {key: list(values) for key, values in collected.items()}
     if len(distinct.get("created", [])) > 1:

@@ -83,7 +83,8 @@ def test_ledger_is_read(folder):
 
 
 def run(*words):
-    return subprocess.run([sys.executable, "-m", "analysis", *words], cwd=ROOT, capture_output=True, text=True)
+    command = [sys.executable, "-m", "analysis", *words]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
 
 
 @pytest.mark.parametrize("command", ["report", "table"])
@@ -100,6 +101,14 @@ def test_bad_input_ends_with_two(folder, command):
 def test_missing_folder_ends_with_two(tmp_path):
     done = run("report", str(tmp_path / "nowhere"))
     assert done.returncode == 2 and "nowhere" in done.stderr
+
+
+def test_unwritable_folder_ends_with_two(folder):
+    (folder / "figures").write_text("a file where a folder must be")
+    done = run("report", str(folder))
+    assert done.returncode == 2
+    assert "figures: File exists; make the folder writable" in done.stderr
+    assert "Traceback" not in done.stderr
 
 
 def test_table_has_no_colour_in_a_pipe(folder):

@@ -63,7 +63,8 @@ def test_other_files_are_refused(path, tmp_path):
     (tmp_path / "text.h5").write_text("not HDF5")
     with h5py.File(path, "a") as file:
         file["sandglass"].attrs["schema"] = np.array([2, 0])
-    for broken, problem in (("text.h5", "not a Sandglass record"), ("record.h5", "schema 2"), ("none", "no such file")):
+    cases = (("text.h5", "not a Sandglass record"), ("record.h5", "schema 2"), ("none", "no such file"))
+    for broken, problem in cases:
         with pytest.raises(InputError, match=problem):
             load_record(tmp_path / broken)
 
