@@ -5,7 +5,6 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -53,6 +52,13 @@ Arguments ordinary_arguments(const Law& law, int dimension) {
   return arguments;
 }
 
+/// Small letters and digits in words joined by single hyphens, starting with a letter.
+bool well_spelled(const std::string& name) {
+  constexpr const char* letters = "abcdefghijklmnopqrstuvwxyz0123456789-";
+  return name.find_first_not_of(letters) == std::string::npos && name.front() >= 'a' && name.back() != '-' &&
+         name.find("--") == std::string::npos;
+}
+
 std::string theory_page() {
   std::ifstream file(std::string(SANDGLASS_SOURCE_DIR) + "/docs/theory.md");
   std::stringstream text;
@@ -62,14 +68,13 @@ std::string theory_page() {
 
 TEST(Registry, NamesAreUniqueAndEveryFieldIsFilled) {
   std::set<std::string> names;
-  const std::regex spelled("[a-z][a-z0-9]*(-[a-z0-9]+)*");
   for (const Law& law : all_laws()) {
     EXPECT_TRUE(names.insert(law.name).second) << law.name;
-    EXPECT_TRUE(std::regex_match(law.name, spelled)) << law.name;
+    EXPECT_TRUE(well_spelled(law.name)) << law.name;
     for (const std::string& field : {law.summary, law.source, law.units, law.validity})
       EXPECT_FALSE(field.empty()) << law.name;
     for (const Parameter& parameter : law.parameters) {
-      EXPECT_TRUE(std::regex_match(parameter.name, spelled)) << law.name;
+      EXPECT_TRUE(well_spelled(parameter.name)) << law.name;
       EXPECT_LT(parameter.low, parameter.high) << law.name << " " << parameter.name;
       EXPECT_FALSE(parameter.units.empty() || parameter.summary.empty()) << law.name << " " << parameter.name;
     }
