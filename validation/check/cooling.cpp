@@ -18,7 +18,7 @@ struct Decay {
 Decay decay_of(const Subject& subject, std::size_t replica) {
   const Series& series = subject.series(replica, "energy");
   return {series.time, subject.collisions_per_particle(replica, series),
-          subject.column(replica, "energy", "translational")};
+          subject.column(replica, "energy", "")};
 }
 
 /// rate(decay, i) of every interval [i-1, i] that starts after `settle` collisions per particle.

@@ -25,7 +25,7 @@ Record cooling_record(double error) {
   const double time_scale = law::haff_time_scale_sonine(scene.gas()) / (1 + error);
   const double rate = law::collision_rate(scene.gas()) * law::sonine_collision_factor(a2);
   for (std::size_t replica = 0; replica < 3; ++replica) {
-    add_series(record, replica, "energy", {"translational"});
+    add_series(record, replica, "energy", {});
     add_series(record, replica, "collisions", {});
     for (int tau = 0; tau < 60; tau += 2) {
       const double time = time_scale * (std::exp(tau / (rate * time_scale)) - 1);

@@ -24,6 +24,9 @@ Wave wave_of(const Subject& subject, double settle) {
         "the wave is sampled too rarely: at least two samples after 'settle-collisions' are needed");
   Wave wave{{series.time.begin() + first, series.time.end()}, {}};
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
+    if (subject.series(replica, "shear-mode").step != series.step ||
+        subject.series(replica, "shear-mode").time != series.time)
+      throw InputError("the replicas sample the wave at different times: give 'method.time-step' as a time");
     const std::vector<double> all = subject.column(replica, "shear-mode", "");
     wave.amplitude.emplace_back(all.begin() + first, all.end());
   }

@@ -43,7 +43,7 @@ Record velocity_record(double flatten) {
   Generator generator(8);
   for (std::size_t replica = 0; replica < 20; ++replica) {
     add_series(record, replica, "moments", {"m2", "m4", "m6", "m8", "s4", "s6", "s8"});
-    Series& histogram = add_series(record, replica, "velocity-histogram", {});
+    Series& histogram = add_series(record, replica, "velocity-histogram-x", {});
     histogram.quantity.shape = {32};
     for (int edge = 0; edge <= 32; ++edge) histogram.quantity.axis.push_back(-4 + edge / 4.0);
     add_sample(add_series(record, replica, "temperature", {"x", "y", "total"}), 0, {1, 1, 1});
