@@ -1,13 +1,14 @@
 include(GoogleTest)
 
 # sandglass_room(NAME [USES room...] [LINKS target...])
-# A room is a folder of the house: every *.cpp beside the call becomes the library sandglass_NAME, every
-# *_test.cpp the program test_NAME. USES lists the rooms that it may see: the allowed arrows and no others.
+# A room is a folder of the house: every *.cpp in it becomes the library sandglass_NAME, every *_test.cpp the program
+# test_NAME; main.cpp is left to a program of its own. USES lists the rooms that it may see: the allowed arrows and no
+# others.
 function(sandglass_room name)
   cmake_parse_arguments(ROOM "" "" "USES;LINKS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "*.cpp")
   set(tests ${sources})
-  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
   list(TRANSFORM ROOM_USES PREPEND sandglass_)
   if(sources)

@@ -1,0 +1,30 @@
+#include "sim/record/export.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "sim/program/options.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace sandglass::program {
+
+namespace {
+std::string extension_of(const std::string& format) {
+  if (format == "vtp") return ".pvd";
+  return format == "mdanalysis" ? ".h5md" : "." + format;
+}
+}  // namespace
+
+int export_files(const Options& options) {
+  const Record record = read_record(options.subject);
+  const Scene scene = read_scene_text(record.scene, options.subject);
+  const std::string path =
+      options.output.empty() ? std::filesystem::path(options.subject).replace_extension(extension_of(options.format)).string()
+                             : options.output;
+  for (const std::string& file : export_record(record, options.format, path, {scene.species.front().diameter}))
+    fmt::print("{}\n", file);
+  return all_well;
+}
+
+}  // namespace sandglass::program

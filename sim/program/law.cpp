@@ -1,0 +1,45 @@
+#include <charconv>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.hpp"
+#include "sim/program/options.hpp"
+#include "validation/law/law.hpp"
+
+namespace sandglass::program {
+
+namespace {
+
+law::Arguments read_arguments(const std::vector<std::string>& words) {
+  law::Arguments arguments;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    const std::string key = word.substr(0, equals);
+    double value = 0;
+    const char* begin = word.data() + std::min(equals, word.size() - 1) + 1;
+    const auto [end, fault] = std::from_chars(begin, word.data() + word.size(), value);
+    if (equals == std::string::npos || fault != std::errc() || end != word.data() + word.size())
+      throw InputError(fmt::format("'{}' is not key=number; write for example restitution=0.9", word));
+    if (!arguments.emplace(key, value).second) throw InputError(fmt::format("'{}' is given twice", key));
+  }
+  return arguments;
+}
+
+}  // namespace
+
+int evaluate_law(const Options& options) {
+  const law::Law& found = law::find_law(options.subject);
+  const double value = law::evaluate(found, read_arguments(options.words));
+  if (options.json) {
+    const nlohmann::json json = {{"name", found.name},     {"value", value},           {"units", found.units},
+                                 {"source", found.source}, {"validity", found.validity}, {"summary", found.summary}};
+    fmt::print("{}\n", json.dump(2));
+    return all_well;
+  }
+  fmt::print("{} = {:.15g}  [{}]\n  {}\n  source: {}\n  valid: {}\n", found.name, value, found.units, found.summary,
+             found.source, found.validity);
+  return all_well;
+}
+
+}  // namespace sandglass::program

@@ -1,0 +1,122 @@
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/base/error.hpp"
+#include "sim/base/spelling.hpp"
+#include "sim/program/options.hpp"
+#include "sim/run/run.hpp"
+
+namespace sandglass::program {
+namespace {
+
+using Command = std::function<int(const Options&)>;
+
+void add_run(CLI::App& app, Options& options) {
+  CLI::App* run = app.add_subcommand("run", "run a scene and write its record");
+  run->add_option("scene", options.subject, "scene file (TOML)")->required();
+  run->add_option("-o,--output", options.output, "record to write (default: from the scene, else its name with .h5)");
+  run->add_option("--seed", options.seed, "seed instead of the scene's");
+  run->add_flag("--overwrite", options.overwrite, "replace a record that exists");
+  run->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  CLI::App* resume = app.add_subcommand("resume", "go on from a checkpoint");
+  resume->add_option("checkpoint", options.subject, "checkpoint file")->required();
+  resume->add_option("-o,--output", options.output, "record to write (default: as the interrupted run)");
+  resume->add_flag("--overwrite", options.overwrite, "replace a record that exists");
+  resume->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+  CLI::App* plan = app.add_subcommand("plan", "say what a scene needs and what is left out");
+  plan->add_option("scene", options.subject, "scene file (TOML)")->required();
+  plan->add_flag("--json", options.json, "as JSON");
+}
+
+void add_judging(CLI::App& app, Options& options) {
+  CLI::App* check = app.add_subcommand("check", "hold a record against every law that applies");
+  check->add_option("record", options.subject, "record (HDF5)")->required();
+  check->add_flag("--json", options.json, "as JSON");
+  CLI::App* validate = app.add_subcommand("validate", "run cases, judge them and write the report's data");
+  validate->add_option("cases", options.words, "names of cases (default: all)");
+  validate->add_option("--tier", options.tier, "smoke, standard or paper")->capture_default_str();
+  validate->add_option("--variant", options.variant, "only this method variant");
+  validate->add_option("--jobs", options.jobs, "scenes at a time (default: one a core)");
+  validate->add_option("-o,--output", options.output, "folder of the report (default: report)");
+  validate->add_option("--seed", options.seed, "fresh seeds drawn from this one");
+  validate->add_flag("--mutants", options.mutants, "plant faults and demand that the checks catch them");
+  validate->add_flag("--json", options.json, "verdicts as JSON on standard output");
+  validate->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+}
+
+void add_looking(CLI::App& app, Options& options) {
+  CLI::App* list = app.add_subcommand("list", "list methods, observers, cases, laws, checks, claims or mutations");
+  list->add_option("what", options.subject, "what to list")->required();
+  list->add_flag("--json", options.json, "as JSON");
+  CLI::App* law = app.add_subcommand("law", "evaluate an analytic result");
+  law->add_option("name", options.subject, "name of the law (sandglass list laws)")->required();
+  law->add_option("arguments", options.words, "key=value ...");
+  law->add_flag("--json", options.json, "as JSON");
+  CLI::App* files = app.add_subcommand("export", "write a record's trajectory for other programs");
+  files->add_option("record", options.subject, "record (HDF5)")->required();
+  files->add_option("--format", options.format, "vtp, xyz, mdanalysis or csv")->capture_default_str();
+  files->add_option("-o,--output", options.output, "main file to write (default: the record's name)");
+}
+
+const std::map<std::string, Command>& commands() {
+  static const std::map<std::string, Command> all = {
+      {"run", run},     {"resume", resume_run}, {"plan", show_plan}, {"check", check}, {"validate", validate},
+      {"list", list},   {"law", evaluate_law},  {"export", export_files},
+  };
+  return all;
+}
+
+/// CLI11 would only say that the word was not expected.
+void refuse_unknown_command(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> words;
+  for (const auto& [word, command] : commands()) words.push_back(word);
+  if (!commands().contains(argv[1])) throw InputError(unknown_word("command", argv[1], words));
+}
+
+int main_of(int argc, char** argv) {
+  refuse_unknown_command(argc, argv);
+  Options options;
+  CLI::App app("Sandglass: granular flow, simulated and judged against what is known exactly", "sandglass");
+  app.set_version_flag("--version", SANDGLASS_VERSION);
+  app.require_subcommand(1);
+  add_run(app, options);
+  add_judging(app, options);
+  add_looking(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? all_well : bad_input;
+  }
+  options.command = app.get_subcommands().front()->get_name();
+  return commands().at(options.command)(options);
+}
+
+int report(const std::exception& error, int code) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return code;
+}
+
+}  // namespace
+}  // namespace sandglass::program
+
+int main(int argc, char** argv) {
+  using namespace sandglass;
+  try {
+    return program::main_of(argc, argv);
+  } catch (const InputError& error) {
+    return program::report(error, program::bad_input);
+  } catch (const Interrupted& stop) {
+    return program::report(stop, program::run_broke);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "error: not enough memory; `sandglass plan` says what a scene needs\n");
+    return program::run_broke;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return program::run_broke;
+  }
+}

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/program/options.hpp"
+#include "sim/program/table.hpp"
+#include "sim/run/run.hpp"
+
+namespace sandglass::program {
+
+namespace {
+
+nlohmann::json as_json(const Plan& plan) {
+  return {{"method", plan.method},
+          {"particles", plan.particles},
+          {"cells", plan.cells},
+          {"replicas", plan.replicas},
+          {"particles_per_cell", plan.particles_per_cell},
+          {"cell_size_in_mean_free_paths", plan.cell_size_in_mean_free_paths},
+          {"time_step", plan.time_step},
+          {"collisions_per_particle_and_step", plan.collisions_per_particle_and_step},
+          {"bytes_per_particle", plan.bytes_per_particle},
+          {"steps", plan.steps},
+          {"particle_moves", plan.particle_moves},
+          {"expected_collisions", plan.expected_collisions},
+          {"columns", plan.columns},
+          {"used", plan.used},
+          {"left_out", plan.left_out},
+          {"warnings", plan.warnings}};
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "nothing" : text;
+}
+
+std::string as_text(const Plan& plan) {
+  std::vector<std::vector<std::string>> rows = {
+      {"method", plan.method},
+      {"particles", fmt::format("{} x {} replica(s)", plan.particles, plan.replicas)},
+      {"cells", fmt::format("{} ({:.3g} particles each, {:.3g} mean free paths wide)", plan.cells, plan.particles_per_cell,
+                            plan.cell_size_in_mean_free_paths)},
+      {"time step", fmt::format("{:.6g} ({:.3g} collisions per particle)", plan.time_step, plan.collisions_per_particle_and_step)},
+      {"memory", fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle,
+                             plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6)},
+      {"work", fmt::format("{:.4g} steps, {:.3g} particle-moves, {:.3g} collisions", plan.steps, plan.particle_moves,
+                           plan.expected_collisions)},
+      {"columns", joined(plan.columns)},
+      {"in use", joined(plan.used)},
+      {"left out", joined(plan.left_out)},
+  };
+  for (const std::string& warning : plan.warnings) rows.push_back({"warning", warning});
+  return columns(rows);
+}
+
+}  // namespace
+
+int show_plan(const Options& options) {
+  const Plan planned = plan(read_scene_file(options.subject));
+  fmt::print("{}", options.json ? as_json(planned).dump(2) + "\n" : as_text(planned));
+  return all_well;
+}
+
+}  // namespace sandglass::program

@@ -1,0 +1,188 @@
+#include "sim/run/run.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.hpp"
+
+namespace sandglass {
+namespace {
+
+const char* const kGas = R"(
+title = "small gas"
+[run]
+seed = 5
+replicas = 2
+duration = { steps = 60 }
+[domain]
+dimension = 2
+size = [20.0, 20.0]
+[[species]]
+area-fraction = 0.1
+restitution = 0.9
+[method]
+preset = "cba"
+cell-size = 2.5
+time-step = 0.1
+weight = 0.1
+[initial]
+temperature = 1.0
+[[observe]]
+what = "energy"
+every = { steps = 7 }
+[[observe]]
+what = "pressure"
+every = { time = 1.0 }
+[[observe]]
+what = "crossings"
+axis = "x"
+position = 5.0
+every = { steps = 10 }
+[[observe]]
+what = "collisions"
+every = { collisions-per-particle = 0.5 }
+[output]
+ids = true
+trajectory = { steps = 20 }
+checkpoint = { steps = 25 }
+)";
+
+Scene gas() { return read_scene_text(kGas, "gas.toml"); }
+
+void expect_same(const Record& a, const Record& b) {
+  ASSERT_EQ(a.replicas.size(), b.replicas.size());
+  for (std::size_t r = 0; r < a.replicas.size(); ++r) {
+    EXPECT_EQ(a.replicas[r].counters, b.replicas[r].counters);
+    ASSERT_EQ(a.replicas[r].series.size(), b.replicas[r].series.size());
+    for (std::size_t s = 0; s < a.replicas[r].series.size(); ++s) {
+      EXPECT_EQ(a.replicas[r].series[s].value, b.replicas[r].series[s].value) << a.replicas[r].series[s].quantity.name;
+      EXPECT_EQ(a.replicas[r].series[s].time, b.replicas[r].series[s].time);
+    }
+  }
+  ASSERT_EQ(a.trajectory.size(), b.trajectory.size());
+  for (std::size_t f = 0; f < a.trajectory.size(); ++f) {
+    EXPECT_EQ(a.trajectory[f].position, b.trajectory[f].position);
+    EXPECT_EQ(a.trajectory[f].id, b.trajectory[f].id);
+  }
+}
+
+TEST(Run, IsRepeatable) { expect_same(run_scene(gas()), run_scene(gas())); }
+
+TEST(Run, SeedMatters) {
+  Scene other = gas();
+  other.run.seed = 6;
+  EXPECT_NE(run_scene(gas()).replicas[0].counters, run_scene(other).replicas[0].counters);
+}
+
+TEST(Run, ReplicasDiffer) {
+  const Record record = run_scene(gas());
+  EXPECT_NE(record.replicas[0].series[0].value, record.replicas[1].series[0].value);
+}
+
+/// 25 steps: the second checkpoint of a replica; 50 steps: the first.
+TEST(Run, ResumesBitwiseFromEveryCheckpoint) {
+  const Record whole = run_scene(gas());
+  const std::string path = testing::TempDir() + "run_test.checkpoint.h5";
+  for (const double steps : {25.0, 50.0}) {
+    Scene scene = gas();
+    scene.output.checkpoint->every = steps;
+    RunOptions options;
+    options.checkpoint_path = path;
+    run_scene(scene, options);  // leaves the last checkpoint of the second replica
+    Record checkpoint = read_record(path);
+    ASSERT_TRUE(checkpoint.state.has_value());
+    EXPECT_EQ(checkpoint.state->step, 50u);
+    EXPECT_EQ(checkpoint.replicas.size(), 1u);
+    expect_same(resume(checkpoint), whole);
+  }
+}
+
+TEST(Run, StopsWhenAskedAndSaysWhere) {
+  std::atomic<bool> stop{true};
+  RunOptions options;
+  options.stop = &stop;
+  options.checkpoint_path = testing::TempDir() + "run_stop.checkpoint.h5";
+  EXPECT_THROW(run_scene(gas(), options), Interrupted);
+  expect_same(resume(read_record(options.checkpoint_path)), run_scene(gas()));
+}
+
+TEST(Run, ConservesMomentumAndLosesEnergyByInelasticity) {
+  const Record record = run_scene(gas());
+  const Series& energy = record.replicas[0].series[0];
+  EXPECT_LT(energy.value.back(), 0.99 * energy.value.front());
+  EXPECT_GT(energy.value.back(), 0);
+}
+
+TEST(Run, RefusesAPlaneNormalToWalls) {
+  Scene scene = gas();
+  scene.domain.sides[0] = {Side::specular, Side::specular};
+  EXPECT_THROW(run_scene(scene), InputError);
+}
+
+TEST(Run, UnknownMutationNamesTheNearest) {
+  RunOptions options;
+  options.mutation.name = "offset-droped";
+  try {
+    run_scene(gas(), options);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'offset-dropped'"), std::string::npos) << error.what();
+  }
+}
+
+/// A planted fault that changes nothing would make every mutant test worthless.
+TEST(Run, EveryMutationChangesTheRun) {
+  Scene scene = gas();
+  const Record honest = run_scene(scene);
+  Scene stream = read_scene_text(R"(
+[run]
+duration = { steps = 50 }
+[domain]
+dimension = 2
+size = [20.0, 20.0]
+[[species]]
+number-density = 1.0
+[method]
+preset = "reservoir"
+time-step = 1.0
+[initial]
+velocity = [0.3, 0.0]
+[[observe]]
+what = "crossings"
+axis = "x"
+position = 10.0
+every = { steps = 10 }
+)", "stream.toml");
+  const Record honest_stream = run_scene(stream);
+  for (const MutationInfo& info : mutations()) {
+    RunOptions options;
+    options.mutation.name = info.name;
+    const bool of_stream = info.name.starts_with("crossing") || info.name.starts_with("flux");
+    const Record changed = run_scene(of_stream ? stream : scene, options);
+    const Record& reference = of_stream ? honest_stream : honest;
+    EXPECT_NE(changed.replicas[0].series.front().value, reference.replicas[0].series.front().value) << info.name;
+    EXPECT_EQ(changed.provenance.mutation, info.name);
+  }
+}
+
+TEST(Plan, SaysWhatIsLeftOut) {
+  const Plan planned = plan(gas());
+  EXPECT_EQ(planned.particles, 509u);
+  EXPECT_NE(std::find(planned.left_out.begin(), planned.left_out.end(), "gravity"), planned.left_out.end());
+  EXPECT_NE(std::find(planned.used.begin(), planned.used.end(), "contact factor of the local density"), planned.used.end());
+  EXPECT_EQ(planned.steps, 60);
+}
+
+TEST(Plan, PredictsTheCollisionsOfAnElasticGas) {
+  Scene scene = gas();
+  scene.species[0].restitution = 1;
+  scene.run.duration = {{}, 1000, {}};
+  scene.run.replicas = 1;
+  const Record record = run_scene(scene);
+  const double measured = record.replicas[0].counters.at("collisions");
+  EXPECT_NEAR(measured / plan(scene).expected_collisions, 1, 5 / std::sqrt(measured) + 0.01);
+}
+
+}  // namespace
+}  // namespace sandglass
