@@ -141,6 +141,21 @@ TEST(RecordDamage, OtherSchemaIsNamedWithBothVersions) {
   EXPECT_THAT(message, HasSubstr("run its scene again"));
 }
 
+TEST(RecordDamage, LaterMinorSchemaIsRead) {
+  const ScratchFolder folder;
+  write_record(folder / "run.h5", sample_record());
+  {
+    const hdf5::Session session;
+    const hdf5::Handle file(H5Fopen((folder / "run.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    hdf5::Handle group(H5Gopen2(file, "sandglass", H5P_DEFAULT), H5Gclose);
+    hdf5::require(H5Adelete(group, "schema"));
+    const hdf5::Writer writer(std::move(group));
+    writer.attribute("schema", std::vector<int>{1, 9});
+    writer.group("something-new");
+  }
+  EXPECT_EQ(read_record(folder / "run.h5").scene, sample_record().scene);
+}
+
 [[noreturn]] void write_checkpoints_forever(const std::string& path) {
   Record record = sample_record();
   while (true) {

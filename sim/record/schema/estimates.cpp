@@ -5,12 +5,6 @@
 namespace sandglass::schema {
 namespace {
 
-std::vector<Quantity> quantities_of(const std::vector<Estimate>& estimates) {
-  std::vector<Quantity> quantities;
-  for (const Estimate& estimate : estimates) quantities.push_back(estimate.quantity);
-  return quantities;
-}
-
 Estimate read_estimate(const hdf5::Reader& group) {
   Estimate estimate;
   estimate.quantity = read_quantity(group);
@@ -24,7 +18,7 @@ Estimate read_estimate(const hdf5::Reader& group) {
 }  // namespace
 
 void write_estimates(const hdf5::Writer& group, const std::vector<Estimate>& estimates) {
-  const std::vector<std::string> links = links_of(quantities_of(estimates));
+  const std::vector<std::string> links = links_of(estimates);
   group.attribute(names::order, links);
   for (std::size_t index = 0; index < links.size(); ++index) {
     const Estimate& estimate = estimates[index];

@@ -68,10 +68,10 @@ std::string name_of_link(const std::string& link) {
   return name;
 }
 
-std::vector<std::string> links_of(const std::vector<Quantity>& quantities) {
+std::vector<std::string> links_of_names(const std::vector<std::string>& names) {
   std::vector<std::string> links;
-  for (const Quantity& quantity : quantities) {
-    const std::string first = link_of_name(quantity.name);
+  for (const std::string& name : names) {
+    const std::string first = link_of_name(name);
     std::string link = first;
     for (int again = 2; std::find(links.begin(), links.end(), link) != links.end(); ++again)
       link = first + "-" + std::to_string(again);

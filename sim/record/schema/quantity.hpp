@@ -23,7 +23,15 @@ bool same(const Quantity& one, const Quantity& other);
 std::string link_of_name(const std::string& name);
 std::string name_of_link(const std::string& link);
 
-/// One link per quantity, in their order; a repeated name gets "-2", "-3", ... added.
-std::vector<std::string> links_of(const std::vector<Quantity>& quantities);
+/// One link per name, in their order; a repeated name gets "-2", "-3", ... added.
+std::vector<std::string> links_of_names(const std::vector<std::string>& names);
+
+/// One link per series or estimate.
+template <class Item>
+std::vector<std::string> links_of(const std::vector<Item>& items) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.quantity.name);
+  return links_of_names(names);
+}
 
 }  // namespace sandglass::schema

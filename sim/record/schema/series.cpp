@@ -10,12 +10,6 @@ namespace {
 
 using Column = std::vector<const Series*>;  // one quantity, every replica
 
-std::vector<Quantity> quantities_of(const SeriesList& list) {
-  std::vector<Quantity> quantities;
-  for (const Series& series : list) quantities.push_back(series.quantity);
-  return quantities;
-}
-
 void require_whole(const Series& series) {
   if (series.time.size() != series.samples() ||
       series.value.size() != series.samples() * series.quantity.size())
@@ -93,7 +87,7 @@ void read_column(const hdf5::Reader& group, std::vector<SeriesList>& lists) {
 
 void write_series(const hdf5::Writer& group, const std::vector<const SeriesList*>& replicas) {
   if (replicas.empty()) return;
-  const std::vector<std::string> links = links_of(quantities_of(*replicas.front()));
+  const std::vector<std::string> links = links_of(*replicas.front());
   group.attribute(names::order, links);
   for (std::size_t index = 0; index < links.size(); ++index)
     write_column(group.group(links[index]), column_of(replicas, index));
@@ -106,7 +100,7 @@ std::vector<SeriesList> read_series(const hdf5::Reader& group, std::size_t repli
 }
 
 void write_observables(const hdf5::Writer& group, const SeriesList& replica) {
-  const std::vector<std::string> links = links_of(quantities_of(replica));
+  const std::vector<std::string> links = links_of(replica);
   for (std::size_t index = 0; index < links.size(); ++index) {
     const Series& series = replica[index];
     const hdf5::Writer element = group.group(links[index]);
