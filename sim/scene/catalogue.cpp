@@ -50,16 +50,17 @@ const std::vector<Preset>& presets() {
 
 const std::vector<ObserverKind>& observer_kinds() {
   static const std::vector<ObserverKind> list = {
-      {{"energy", "kinetic energy per particle"}, {}},
-      {{"temperature", "granular temperature, whole and along each axis"}, {}},
-      {{"momentum", "total momentum"}, {}},
-      {{"moments", "central velocity moments to order 8"}, {}},
-      {{"velocity-histogram", "histogram of one velocity component"}, {"axis", "range", "bins"}},
-      {{"collisions", "collisions per particle and their rate"}, {}},
+      {{"energy", "kinetic energy of all real particles"}, {}},
+      {{"temperature", "granular temperature along each axis and their mean"}, {}},
+      {{"momentum", "total momentum, and the sum of the magnitudes of all momenta"}, {}},
+      {{"moments", "even velocity moments to order 8, relative to the second"}, {}},
+      {{"velocity-histogram", "histogram of one velocity component over all particles"},
+       {"axis", "range", "bins"}},
+      {{"collisions", "collisions and tried pairs since time zero"}, {}},
       {{"pressure", "kinetic and collisional pressure"}, {}},
-      {{"crossings", "normal velocities of particles that cross a plane, each way"},
+      {{"crossings", "normal velocities of the particles that cross a plane, and how many each way"},
        {"axis", "position", "range", "bins"}},
-      {{"fields", "density, velocity and temperature on a grid of bins"}, {"grid"}},
+      {{"fields", "number density, mean velocity and granular temperature on a grid of bins"}, {"grid"}},
       {{"shear-mode", "amplitude of the velocity along x as a sine of y"}, {}}};
   return list;
 }

@@ -1,5 +1,4 @@
 #include "sim/scene/bounds.hpp"
-#include "sim/scene/catalogue.hpp"
 #include "sim/scene/rules.hpp"
 
 #include <algorithm>
@@ -37,12 +36,9 @@ double check_size(const Domain& domain, double edge, Diagnostics& diagnostics) {
 
 void check_cells(const Scene& scene, Diagnostics& diagnostics) {
   const Method& method = scene.method;
-  if (method.cells.empty() != method.cell_size.has_value()) {
-    if (method.preset != reservoir_preset)
-      diagnostics.report("method.cells",
-                         "'method' needs one of 'cells' (how many along each axis) and 'cell-size'");
-    return;
-  }
+  if (method.cell_size && !method.cells.empty())
+    return diagnostics.report("method.cells", "'method' takes 'cells' or 'cell-size', not both");
+  if (!method.cell_size && method.cells.empty()) return;
   const double total = method.cell_size ? check_size(scene.domain, *method.cell_size, diagnostics)
                                         : check_numbers(scene, diagnostics);
   const std::string path = method.cell_size ? "method.cell-size" : "method.cells";

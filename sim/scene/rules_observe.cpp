@@ -4,8 +4,6 @@
 #include "sim/scene/rules.hpp"
 #include "sim/scene/words.hpp"
 
-#include <tuple>
-
 #include <fmt/format.h>
 
 namespace sandglass {
@@ -22,11 +20,15 @@ bool check_axis(const Observe& observe, int dimension, const std::string& path, 
   return false;
 }
 
-/// A plane in the wall or in the seam of a periodic domain would be crossed by nobody or twice.
+/// Walls turn particles back within a step, and the seam of a periodic domain would be crossed twice.
 void check_plane(const Observe& observe, const Domain& domain, const std::string& path,
                  Diagnostics& diagnostics) {
+  const auto axis = static_cast<std::size_t>(observe.axis);
+  if (diagnostics.clean("domain.sides") && domain.sides[axis][0] != Side::periodic)
+    diagnostics.report(path + ".axis", "the observer 'crossings' needs a plane normal to a periodic axis; " +
+                                           axis_words()[axis].first + " has walls");
   if (!diagnostics.clean(path + ".position")) return;
-  const double edge = domain.size[static_cast<std::size_t>(observe.axis)];
+  const double edge = domain.size[axis];
   if (observe.position > 0 && observe.position < edge) return;
   diagnostics.report(path + ".position",
                      fmt::format("{} is {}, outside the domain; allowed: above 0 and below {}",
@@ -78,13 +80,9 @@ void check_observer(const Observe& observe, const Domain& domain, const std::str
   if (observe.what == "shear-mode") check_shear_mode(domain, path, diagnostics);
 }
 
-/// Two observers of the same thing would write under the same name.
-bool same_target(const Observe& a, const Observe& b) {
-  const auto target = [](const Observe& observe) {
-    const bool axis = observer_uses(observe.what, "axis"), plane = observer_uses(observe.what, "position");
-    return std::tuple(observe.what, axis ? observe.axis : 0, plane ? observe.position : 0.0);
-  };
-  return target(a) == target(b);
+/// Samples are named after their observer, a velocity histogram after its axis as well.
+bool same_name(const Observe& a, const Observe& b) {
+  return a.what == b.what && (a.what != "velocity-histogram" || a.axis == b.axis);
 }
 }  // namespace
 
@@ -94,9 +92,10 @@ void check_observers(const Scene& scene, Diagnostics& diagnostics) {
     if (!diagnostics.clean(path + ".what")) continue;
     check_observer(scene.observe[i], scene.domain, path, diagnostics);
     for (std::size_t j = 0; j < i; ++j)
-      if (same_target(scene.observe[i], scene.observe[j])) {
-        diagnostics.report(path,
-                           fmt::format("the observer '{}' is given twice; keep one", scene.observe[i].what));
+      if (same_name(scene.observe[i], scene.observe[j])) {
+        diagnostics.report(
+            path, fmt::format("the observer '{}' is given twice; keep one: samples are named after it",
+                              scene.observe[i].what));
         break;
       }
   }
