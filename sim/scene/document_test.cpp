@@ -1,0 +1,72 @@
+#include "sim/scene/document.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/scene/catalogue.hpp"
+#include "sim/scene/scene.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace sandglass {
+namespace {
+
+std::string reference() {
+  std::ifstream file(SANDGLASS_SOURCE_DIR "/docs/scene.md");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void collect_keys(const Node& node, std::set<std::string>& keys) {
+  for (const Node& item : node.items) {
+    if (!item.key.empty()) keys.insert(item.key);
+    collect_keys(item, keys);
+  }
+}
+
+TEST(Document, KeepsTheOrderAndThePlacesOfTheText) {
+  const Node root = parse_document("b = 1\n[t]\n  a = [2.5, 'x']\n", "");
+  ASSERT_EQ(root.items.size(), 2U);
+  EXPECT_EQ(root.items[0].key, "b");
+  EXPECT_EQ(root.items[0].place, (Place{1, 5}));
+  const Node& list = root.items[1].items.at(0);
+  EXPECT_EQ(list.key_place, (Place{3, 3}));
+  EXPECT_EQ(list.items.at(0).number, 2.5);
+  EXPECT_EQ(list.items.at(1).text, "x");
+  EXPECT_EQ(list.items.at(1).place, (Place{3, 13}));
+}
+
+/// Every key that the writer knows stands in the reference.
+TEST(Reference, NamesEveryKeyPresetAndObserver) {
+  const std::string text = reference();
+  Scene scene;
+  scene.domain = {3, {1, 1, 1}, {{}, {}, {}}};
+  scene.species.emplace_back() = {"a", 3, 0.1, 0.1, 1, 1, 1};
+  scene.method.offset = Offset::random;
+  scene.method.cells = {1, 1, 1};
+  scene.method.cell_size = 1;
+  scene.gravity = {0, 0, 1};
+  scene.initial.velocity = {0, 0, 0};
+  scene.initial.shear_wave = ShearWave{};
+  scene.output.trajectory = scene.output.checkpoint = Cadence{};
+  for (const std::string& what : observer_names()) scene.observe.emplace_back().what = what;
+  for (Observe& observe : scene.observe) observe.range = {{0, 1}};
+  std::set<std::string> words;
+  collect_keys(parse_document(write_scene(scene), ""), words);
+  for (const std::string& name : preset_names()) words.insert(name);
+  for (const std::string& word : words) EXPECT_TRUE(text.find("`" + word + "`") != text.npos) << word;
+  for (const NamedSummary& observer : observer_summaries())
+    EXPECT_TRUE(text.find("`" + observer.name + "` | " + observer.summary) != text.npos) << observer.name;
+}
+
+TEST(Reference, ItsSmallSceneReads) {
+  const std::string text = reference();
+  const std::size_t begin = text.find("```toml\ntitle"), end = text.find("```", begin + 3);
+  ASSERT_NE(end, std::string::npos);
+  const std::string scene = text.substr(begin + 8, end - begin - 8);
+  EXPECT_EQ(read_scene_text(scene, "docs/scene.md").method.preset, "cba");
+}
+
+}  // namespace
+}  // namespace sandglass
