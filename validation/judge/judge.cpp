@@ -57,12 +57,14 @@ Judgement judge(const Evidence& evidence, const Confidence& confidence, bool kno
     return {Verdict::inconclusive, deviation, budget,
             fmt::format(
                 "the error bar {:.3g} (half width) is wider than the resolution {:.3g} that the check needs",
-                width, allowed.resolution)};
+                width, allowed.resolution),
+            z};
   const bool inside = deviation <= budget;
   const Verdict verdict = with_known_limit(inside ? Verdict::pass : Verdict::fail, known_limit);
   return {verdict, deviation, budget,
           fmt::format("deviation {:.3g} {} budget {:.3g}{}", deviation, inside ? "within" : "exceeds", budget,
-                      known_limit ? ", where the source says that this method must miss" : "")};
+                      known_limit ? ", where the source says that this method must miss" : ""),
+          z};
 }
 
 std::string to_string(Verdict verdict) { return names.at(static_cast<std::size_t>(verdict)); }

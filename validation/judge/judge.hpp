@@ -16,9 +16,10 @@ struct Confidence {
 
 struct Judgement {
   Verdict verdict;
-  double deviation;    ///< |value - expected|
-  double budget;       ///< what it may be: systematic + z * sqrt(statistical^2 + reference^2)
-  std::string reason;  ///< one sentence
+  double deviation;     ///< |value - expected|
+  double budget;        ///< what it may be: systematic + z * sqrt(statistical^2 + reference^2)
+  std::string reason;   ///< one sentence
+  double coverage = 0;  ///< z: standard errors that the budget allows
 };
 
 /// The only pass/fail code of the project. `known_limit`: the source itself says that this method cannot do

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "validation/suite/outcome.hpp"
+
+#include <string>
+#include <vector>
+
+namespace sandglass {
+
+struct MutantResult {
+  std::string case_name, mutation, summary;
+  std::string variant, point;
+  CheckOutcome check;
+  bool caught = false;
+};
+
+/// The run of a mutant and its one check. The known limits of the case do not count: a mutant must fail.
+Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mutant);
+
+/// Runs the scene with the fault planted; caught when the check fails.
+MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confidence& confidence);
+
+}  // namespace sandglass

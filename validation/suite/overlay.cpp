@@ -1,0 +1,55 @@
+#include "validation/suite/overlay.hpp"
+
+#include "sim/base/error.hpp"
+#include "validation/suite/write_node.hpp"
+
+namespace sandglass {
+
+namespace {
+bool is_table_list(const OriginNode& item) {
+  return item.node.kind == Node::Kind::list && !item.items.empty() &&
+         item.items.front().node.kind == Node::Kind::table;
+}
+
+void merge(OriginNode& base, const Node& over, const std::string& file) {
+  for (const Node& item : over.items) {
+    OriginNode* found = base.entry(item.key);
+    if (!found)
+      base.items.push_back(with_origin(item, file));
+    else if (item.kind == Node::Kind::table && found->node.kind == Node::Kind::table)
+      merge(*found, item, file);
+    else if (item.kind == Node::Kind::table && is_table_list(*found))
+      merge(found->items.front(), item, file);
+    else
+      *found = with_origin(item, file);
+  }
+}
+
+/// Moves each fault from the composed text to the file that the faulty line came from.
+[[noreturn]] void place_faults(const InputError& error, const ComposedText& composed) {
+  std::vector<Diagnostic> diagnostics = error.diagnostics();
+  for (Diagnostic& diagnostic : diagnostics) {
+    const auto line = static_cast<std::size_t>(diagnostic.line);
+    if (line == 0 || line > composed.origin.size()) continue;
+    const Origin& origin = composed.origin[line - 1];
+    diagnostic.file = origin.file;
+    diagnostic.line = origin.place.line;
+    diagnostic.column = origin.place.column;
+  }
+  throw InputError(diagnostics);
+}
+}  // namespace
+
+Scene lay_over(const Node& base, const std::string& base_file,
+               const std::vector<const Override*>& overrides) {
+  OriginNode root = with_origin(base, base_file);
+  for (const Override* layer : overrides) merge(root, layer->values, layer->file);
+  const ComposedText composed = compose_text(root);
+  try {
+    return read_scene_text(composed.text, base_file);
+  } catch (const InputError& error) {
+    place_faults(error, composed);
+  }
+}
+
+}  // namespace sandglass

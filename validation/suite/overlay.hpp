@@ -1,0 +1,16 @@
+#pragma once
+
+#include "sim/scene/scene.hpp"
+#include "validation/suite/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace sandglass {
+
+/// A base scene with overrides laid over it, later ones on top, and read as a scene. A table goes into the table of the
+/// same name; a table over [[species]] goes into its first entry; everything else replaces what was there. Throws
+/// InputError; a fault that an override brought in is placed where the override stands.
+Scene lay_over(const Node& base, const std::string& base_file, const std::vector<const Override*>& overrides);
+
+}  // namespace sandglass
