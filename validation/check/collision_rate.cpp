@@ -43,7 +43,9 @@ Evidence collision_rate(const Subject& subject, const law::Arguments&) {
   evidence.degrees_of_freedom = rate.degrees_of_freedom;
   evidence.expected = law::collision_rate(subject.gas(subject.mean_temperature())) *
                       collision_rate_factor(subject.particles(), subject.dimension());
-  evidence.budget.reason = "finite N is part of the expectation";
+  evidence.budget.systematic = subject.missing_pairs() * evidence.expected;
+  evidence.budget.reason = subject.missing_pairs() > 0 ? "pairs that an offset takes from a cell, (1-S)/N_c"
+                                                       : "finite N is part of the expectation";
   const double scatter = mean_of_independent(rates.front()).standard_error;
   evidence.figures.push_back(rate_figure(subject.series(0, "collisions").time, rates.front(),
                                          evidence.expected,

@@ -46,7 +46,8 @@ double systematic_of_rate(const Subject& subject) {
   const double a2 = law::sonine_a2(subject.dimension(), r);
   const double closure = std::abs(a2 - law::sonine_a2_relinearised(subject.dimension(), r));
   const double cell = subject.particles_per_cell();
-  return (closure + a2 * a2) / 4 + 2 / subject.particles() + (cell > 0 ? (1 - r) / cell : 0);
+  return (closure + a2 * a2) / 4 + 2 / subject.particles() + (cell > 0 ? (1 - r) / cell : 0) +
+         subject.missing_pairs();
 }
 
 Evidence rate_evidence(const Mean& rate, const Subject& subject) {
@@ -55,7 +56,7 @@ Evidence rate_evidence(const Mean& rate, const Subject& subject) {
   evidence.standard_error = rate.standard_error;
   evidence.degrees_of_freedom = rate.degrees_of_freedom;
   evidence.budget.systematic = systematic_of_rate(subject);
-  evidence.budget.reason = "first Sonine order, 2/N, and repeated contacts inside a cell";
+  evidence.budget.reason = "first Sonine order, 2/N, repeated contacts and missing pairs inside a cell";
   return evidence;
 }
 

@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
 #include "validation/law/enskog.hpp"
+#include "validation/law/state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,16 @@ double Subject::particles_per_cell() const {
 double Subject::collisions_per_step() const {
   if (scene_.method.time_step.collisions) return *scene_.method.time_step.collisions;
   return scene_.method.time_step.fixed.value_or(0) * law::collision_rate(gas(scene_.initial.temperature));
+}
+
+double Subject::missing_pairs() const {
+  if (scene_.method.offset == Offset::none || particles_per_cell() == 0) return 0;
+  law::Gas elastic = gas(1);
+  elastic.restitution = 1;
+  const double z = law::compressibility_factor(elastic);
+  const double speed = law::sound_speed(elastic);
+  const double inverse_structure = speed * speed * elastic.mass - 2 * z * z / dimension();
+  return (1 - 1 / inverse_structure) / particles_per_cell();
 }
 
 law::Gas Subject::gas(double temperature) const {

@@ -105,7 +105,7 @@ Evidence sonine_of(double a2_error) {
 TEST(SonineCoefficient, SeesTheoryAndAMaxwellian) {
   EXPECT_LT(significance(sonine_of(0)), 4);
   EXPECT_GT(significance(sonine_of(-law::sonine_a2(2, 0.8))), 10);
-  EXPECT_LT(sonine_of(0).budget.systematic, 0.3 * std::abs(law::sonine_a2(2, 0.8)));
+  EXPECT_LT(sonine_of(0).budget.systematic, 0.5 * std::abs(law::sonine_a2(2, 0.8)));
 }
 
 }  // namespace

@@ -72,7 +72,8 @@ struct SweepPoint {
 
 /// Error against cost for one knob of the method. The reference is a run of its own with `reference`.
 struct Sweep {
-  std::string knob, label, variant, point, check, quantity, reference_source;
+  std::string knob, label, variant, point, quantity, reference_source;
+  CheckUse use;  ///< whose value is followed; the sweep needs no verdict of it
   double expected_order = 0;
   Override reference;
   std::vector<SweepPoint> points;

@@ -79,11 +79,23 @@ void check_tiers(const Case& subject, Rules& rules) {
   }
 }
 
-template <class Entry>
-void check_place(const Entry& entry, const std::string& path, Rules& rules) {
-  rules.point(entry.point, path + ".point");
-  rules.variant(entry.variant, path + ".variant");
-  rules.check(entry.check, path + ".check");
+void check_sweeps(const Case& subject, Rules& rules) {
+  for (std::size_t i = 0; i < subject.sweeps.size(); ++i) {
+    const std::string path = item_path("sweep", i);
+    rules.point(subject.sweeps[i].point, path + ".point");
+    rules.variant(subject.sweeps[i].variant, path + ".variant");
+    rules.check(subject.sweeps[i].use.check, path + ".check");
+  }
+}
+
+void check_mutants(const Case& subject, Rules& rules) {
+  for (std::size_t i = 0; i < subject.mutants.size(); ++i) {
+    const std::string path = item_path("mutant", i);
+    rules.point(subject.mutants[i].point, path + ".point");
+    rules.variant(subject.mutants[i].variant, path + ".variant");
+    rules.check(subject.mutants[i].check, path + ".check");
+    rules.mutation(subject.mutants[i].mutation, path + ".mutation");
+  }
 }
 }  // namespace
 
@@ -99,12 +111,8 @@ void check_case_rules(const Case& subject, Diagnostics& diagnostics) {
   check_tiers(subject, rules);
   for (std::size_t i = 0; i < subject.variants.size(); ++i)
     rules.selection({subject.variants[i].points, {}}, item_path("variant", i));
-  for (std::size_t i = 0; i < subject.sweeps.size(); ++i)
-    check_place(subject.sweeps[i], item_path("sweep", i), rules);
-  for (std::size_t i = 0; i < subject.mutants.size(); ++i) {
-    check_place(subject.mutants[i], item_path("mutant", i), rules);
-    rules.mutation(subject.mutants[i].mutation, item_path("mutant", i) + ".mutation");
-  }
+  check_sweeps(subject, rules);
+  check_mutants(subject, rules);
 }
 
 }  // namespace sandglass

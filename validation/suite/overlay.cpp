@@ -11,10 +11,14 @@ bool is_table_list(const OriginNode& item) {
          item.items.front().node.kind == Node::Kind::table;
 }
 
+bool removes(const Node& item) { return item.kind == Node::Kind::table && item.items.empty(); }
+
 void merge(OriginNode& base, const Node& over, const std::string& file) {
   for (const Node& item : over.items) {
     OriginNode* found = base.entry(item.key);
-    if (!found)
+    if (removes(item))
+      std::erase_if(base.items, [&](const OriginNode& old) { return old.node.key == item.key; });
+    else if (!found)
       base.items.push_back(with_origin(item, file));
     else if (item.kind == Node::Kind::table && found->node.kind == Node::Kind::table)
       merge(*found, item, file);

@@ -86,7 +86,7 @@ void read_sweep(Table& table, const Node& node, const std::string& file, Sweep& 
   table.require("label", sweep.label, "the axis label with units");
   table.require("variant", sweep.variant, "a variant of the case");
   table.require("point", sweep.point, "a point of the case");
-  table.require("check", sweep.check, "the check whose value is followed");
+  table.require("check", sweep.use.check, "the check whose value is followed");
   table.require("quantity", sweep.quantity, "what the check's value is");
   table.require("reference-source", sweep.reference_source, "what the reference run is");
   table.read("expected-order", sweep.expected_order);

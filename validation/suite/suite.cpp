@@ -150,20 +150,6 @@ SuiteResult run_suite(const SuiteOptions& options) {
   return result;
 }
 
-Outcome check_record(const std::string& path, const Confidence& confidence) {
-  const Record record = read_record(path);
-  std::vector<CheckUse> uses;
-  for (const CheckInfo* check : checks_for(record)) uses.push_back({check->name, "", {}, {}, {}});
-  Task task;
-  task.scene = read_scene_text(record.scene, path);
-  for (const CheckUse& use : uses) task.checks.push_back(&use);
-  Outcome outcome;
-  outcome.checks = judge_record(task, record, confidence);
-  outcome.run = summarize(task, record);
-  outcome.run.record_path = path;
-  return outcome;
-}
-
 std::vector<CaseSummary> list_cases(const std::string& case_folder) {
   std::vector<CaseSummary> list;
   for (const Case& subject : read_cases(case_folder)) {

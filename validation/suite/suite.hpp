@@ -47,9 +47,6 @@ struct SuiteResult {
 /// written. A run that breaks is a verdict: its checks are inconclusive and say why.
 SuiteResult run_suite(const SuiteOptions& options);
 
-/// Holds one record against every check that applies to its scene, without the budgets of any case.
-Outcome check_record(const std::string& path, const Confidence& confidence = {});
-
 /// What `list cases` shows.
 struct CaseSummary {
   std::string name, topic, summary;

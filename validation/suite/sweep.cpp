@@ -1,7 +1,5 @@
 #include "validation/suite/sweep.hpp"
 
-#include "sim/base/error.hpp"
-
 #include <cmath>
 #include <limits>
 
@@ -10,20 +8,13 @@ namespace sandglass {
 namespace {
 constexpr double clear_of_noise = 2;  // standard errors
 
-const CheckUse* use_of(const Case& subject, const Sweep& sweep) {
-  for (const CheckUse& use : subject.checks)
-    if (use.check == sweep.check && use.where.holds(sweep.point, sweep.variant)) return &use;
-  throw InputError("case '" + subject.name + "': sweep '" + sweep.knob + "' follows the check '" +
-                   sweep.check + "', which the case does not make at that point and variant");
-}
-
 Task task_of(const Case& subject, const std::string& tier, const Sweep& sweep, const Override& set,
              const std::string& name) {
   Task task{&subject,
             sweep.variant,
             sweep.point,
             scene_of(subject, tier, sweep.variant, sweep.point, set),
-            {use_of(subject, sweep)}};
+            {&sweep.use}};
   task.scene.run.seed = derived_seed(task.scene.run.seed, sweep.knob + "/" + name);
   return task;
 }
