@@ -18,8 +18,9 @@ enum class Purpose : std::uint64_t {
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.
 struct StreamKey {
-  std::uint64_t low, high;
+  std::uint64_t low = 0, high = 0;
 
+  StreamKey() = default;
   StreamKey(std::uint64_t seed, Purpose purpose, std::uint64_t replica, std::uint64_t step) {
     const r123::Philox4x64 philox;
     const auto words = philox({{step, replica, static_cast<std::uint64_t>(purpose), 0}}, {{seed, 0x5a4d47}});
@@ -31,6 +32,7 @@ struct StreamKey {
 /// xoroshiro128++ (Blackman & Vigna 2021), seeded per stream: 1 ns a draw and 3 ns to seed, where Philox takes 10.
 class Random {
  public:
+  Random() = default;  ///< no stream: to be assigned to
   Random(const StreamKey& key, std::uint64_t index)
       : a_(mix(key.low + index * 0x9e3779b97f4a7c15u)), b_(mix(key.high ^ (index * 0xd1342543de82ef95u)) | 1u) {}
 

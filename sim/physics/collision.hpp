@@ -63,14 +63,32 @@ Vector<D - 1> uniform_impact(Random& random) {
 
 /// Uniform on the unit circle or sphere (Marsaglia 1972).
 template <int D>
-Vector<D> uniform_direction(Random& random) {
+[[gnu::always_inline]] inline Vector<D> uniform_direction(Random& random) {
   const Vector<2> point = uniform_impact<3>(random);
   const double square = point.squaredNorm();
-  if constexpr (D == 2)
+  if constexpr (D == 2) {
     // Doubling the angle of a point of the disk needs no root.
     return Vector<2>(point[0] * point[0] - point[1] * point[1], 2 * point[0] * point[1]) / square;
-  else
-    return Vector<3>(2 * point[0] * std::sqrt(1 - square), 2 * point[1] * std::sqrt(1 - square), 1 - 2 * square);
+  } else {
+    const double across = 2 * std::sqrt(1 - square);
+    return Vector<3>(across * point[0], across * point[1], 1 - 2 * square);
+  }
+}
+
+/// Change of the velocity of particle 1 (particle 2 gets the opposite) in a smooth collision of equal masses with a uniform
+/// impact parameter. Without the normal, its root and its division: in 3D the elastic relative velocity leaves in a
+/// uniform direction e, so that the kick is (1 + r)/4 (|c| e - c). The slow twin is contact_normal with SmoothInelastic.
+[[gnu::always_inline]] inline Vector<3> smooth_kick(const Vector<3>& relative, double square_speed, double restitution, Random& random) {
+  const Vector<3> leaving = std::sqrt(square_speed) * uniform_direction<3>(random);
+  return 0.25 * (1 + restitution) * (leaving - relative);
+}
+
+/// In 2D the kick is -(1 + r)/2 ((1 - b^2) c + b sqrt(1 - b^2) c_perp) with the impact parameter b in diameters.
+[[gnu::always_inline]] inline Vector<2> smooth_kick(const Vector<2>& relative, double, double restitution, Random& random) {
+  const double b = uniform_impact<2>(random)[0];
+  const double along = 1 - b * b, across = b * std::sqrt(along);
+  return -0.5 * (1 + restitution) *
+         Vector<2>(along * relative[0] - across * relative[1], along * relative[1] + across * relative[0]);
 }
 
 /// Total cross-section of particles of one diameter: 2 d in 2D, pi d^2 in 3D.

@@ -18,6 +18,7 @@ class Grid {
 
   const Vector<D>& box() const { return box_; }
   std::uint32_t cells(int axis) const { return cells_[index(axis)]; }
+  double cells_per_length(int axis) const { return per_length_[axis]; }
   std::uint32_t size() const {
     std::uint32_t product = 1;
     for (std::uint32_t extent : cells_) product *= extent;

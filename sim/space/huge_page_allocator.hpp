@@ -8,7 +8,7 @@
 namespace sandglass {
 
 /// Aligns to cache lines; asks for huge pages where an array spans several, so that a scatter does not miss the
-/// page table at every store.
+/// page table at every store. Keeps two cache lines behind the array for those who read past its end.
 template <class T>
 struct HugePageAllocator {
   using value_type = T;
@@ -19,7 +19,7 @@ struct HugePageAllocator {
 
   T* allocate(std::size_t count) {
     const std::size_t page = count * sizeof(T) >= 4 * kHugePage ? kHugePage : 64;
-    const std::size_t bytes = (count * sizeof(T) + page - 1) / page * page;
+    const std::size_t bytes = (count * sizeof(T) + 128 + page - 1) / page * page;
     void* memory = std::aligned_alloc(page, bytes);
     if (memory == nullptr) throw std::bad_alloc();
     if (page == kHugePage) madvise(memory, bytes, MADV_HUGEPAGE);

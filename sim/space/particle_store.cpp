@@ -10,19 +10,16 @@ namespace sandglass {
 
 template <int D>
 void ParticleStore<D>::sort() {
-  // arrival_[c + 2] counts cell c. After the sum, arrival_[c + 1] is where cell c begins; after the scatter, where it ends.
+  // arrival_[c + 1] counts cell c; after the sum, arrival_[c] is where cell c begins.
   std::inclusive_scan(arrival_.begin(), arrival_.end(), arrival_.begin());
-  std::uint32_t* cursor = arrival_.data() + 1;
+  const std::uint32_t* begin = arrival_.data();
   const std::size_t count = phase_.size();
-  for (std::size_t i = 0; i < count; ++i) next_phase_[cursor[destination_[i]]++] = phase_[i];
+  for (std::size_t i = 0; i < count; ++i) next_phase_[begin[place_[i].cell] + place_[i].rank] = phase_[i];
+  phase_.swap(next_phase_);
   if (keep_ids_) {
-    // The scatter has moved every cursor to the end of its cell, which is where the next cell begins.
-    for (std::size_t cell = grid_.size(); cell > 0; --cell) cursor[cell] = cursor[cell - 1];
-    cursor[0] = 0;
-    for (std::size_t i = 0; i < count; ++i) next_id_[cursor[destination_[i]]++] = id_[i];
+    for (std::size_t i = 0; i < count; ++i) next_id_[begin[place_[i].cell] + place_[i].rank] = id_[i];
     id_.swap(next_id_);
   }
-  phase_.swap(next_phase_);
   offset_.swap(arrival_);
 }
 
@@ -32,7 +29,7 @@ void ParticleStore<D>::assign(std::span<const Phase<D>> particles, std::span<con
     throw InputError("a run holds at most 4294967295 particles, got " + std::to_string(particles.size()));
   phase_.assign(particles.begin(), particles.end());
   next_phase_.resize(particles.size());
-  destination_.resize(particles.size());
+  place_.resize(particles.size());
   if (keep_ids_) {
     id_.resize(particles.size());
     next_id_.resize(particles.size());
@@ -43,8 +40,8 @@ void ParticleStore<D>::assign(std::span<const Phase<D>> particles, std::span<con
   }
   begin_step();
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    destination_[i] = grid_.cell_of(phase_[i].position);
-    ++arrivals()[destination_[i]];
+    const std::uint32_t cell = grid_.cell_of(phase_[i].position);
+    place_[i] = {cell, arrivals()[cell]++};
   }
   sort();
 }
@@ -53,7 +50,7 @@ template <int D>
 std::size_t ParticleStore<D>::bytes() const {
   return (phase_.capacity() + next_phase_.capacity()) * sizeof(Phase<D>) +
          (id_.capacity() + next_id_.capacity()) * sizeof(std::uint64_t) +
-         (destination_.capacity() + offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t);
+         place_.capacity() * sizeof(Place) + (offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t);
 }
 
 template class ParticleStore<2>;

@@ -24,7 +24,7 @@ using Column = std::vector<T, HugePageAllocator<T>>;
 template <int D>
 class ParticleStore {
  public:
-  ParticleStore(const Grid<D>& grid, bool keep_ids) : grid_(grid), keep_ids_(keep_ids), offset_(grid.size() + 2) {}
+  ParticleStore(const Grid<D>& grid, bool keep_ids) : grid_(grid), keep_ids_(keep_ids), offset_(grid.size() + 1) {}
 
   const Grid<D>& grid() const { return grid_; }
   std::size_t size() const { return phase_.size(); }
@@ -34,15 +34,18 @@ class ParticleStore {
   std::span<const Phase<D>> phases() const { return phase_; }
   std::span<const std::uint64_t> ids() const { return id_; }
   /// First particle of each cell; one more entry than cells.
-  std::span<const std::uint32_t> offsets() const { return {offset_.data(), grid_.size() + 1}; }
+  std::span<const std::uint32_t> offsets() const { return offset_; }
 
-  /// Where the coming sort will put each particle; filled by the motion together with arrival(). Both stay valid and in
-  /// step until sort().
-  std::uint32_t* destination() { return destination_.data(); }
-  /// Counters of arriving particles by cell, zero after begin_step().
-  std::uint32_t* arrivals() { return arrival_.data() + 2; }
+  /// Place of each particle after the coming sort: its cell and its rank among the arrivals there. The motion fills it in
+  /// with arrive(); sort() then knows every address beforehand and waits for no counter.
+  struct Place {
+    std::uint32_t cell, rank;
+  };
   void begin_step() { std::fill(arrival_.begin(), arrival_.end(), 0u); }
-  /// Moves every particle to its destination cell.
+  /// For the motion's inner loop: places of the particles and counters of arrivals by cell.
+  Place* places() { return place_.data(); }
+  std::uint32_t* arrivals() { return arrival_.data() + 1; }
+  /// Moves every particle to its place.
   void sort();
 
   /// Takes particles in the given order, numbers them if ids are kept (or takes `ids`), and sorts them into cells.
@@ -56,7 +59,7 @@ class ParticleStore {
   bool keep_ids_;
   Column<Phase<D>> phase_, next_phase_;
   Column<std::uint64_t> id_, next_id_;
-  Column<std::uint32_t> destination_;
+  Column<Place> place_;
   std::vector<std::uint32_t> offset_, arrival_ = std::vector<std::uint32_t>(offset_.size());
 };
 

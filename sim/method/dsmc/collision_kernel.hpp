@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim/method/dsmc/collision_stage.hpp"
 #include "sim/method/dsmc/policies.hpp"
+#include "sim/space/lanes.hpp"
 
 namespace sandglass::dsmc {
 
@@ -12,18 +15,35 @@ namespace sandglass::dsmc {
 template <int D>
 class VelocityBox {
  public:
-  VelocityBox(const Phase<D>* first, const Phase<D>* last) : low_(first->velocity), high_(first->velocity) {
-    for (const Phase<D>* particle = first + 1; particle < last; ++particle) include(particle->velocity);
+  using Lane = Lanes<D>;
+  using Real = typename Lane::Real;
+
+  VelocityBox() = default;
+  /// Eight particles at a time, the last one again where there are fewer: a loop whose end can be guessed.
+  VelocityBox(const Phase<D>* particles, std::uint32_t count) : low_(velocity_of(particles[0])), high_(low_) {
+    const std::uint32_t last = std::max(count, 1u) - 1;
+    for (std::uint32_t i = 0; i <= last; i += 8)
+      for (std::uint32_t lane = 0; lane < 8; ++lane) include(velocity_of(particles[std::min(i + lane, last)]));
   }
-  void include(const Vector<D>& velocity) {
-    low_ = low_.cwiseMin(velocity);
-    high_ = high_.cwiseMax(velocity);
+  void include(const Real& velocity) {
+    low_ = velocity < low_ ? velocity : low_;
+    high_ = velocity > high_ ? velocity : high_;
   }
-  double square_diagonal() const { return (high_ - low_).squaredNorm(); }
+  double square_diagonal() const {
+    const Real edge = high_ - low_;
+    const Real square = edge * edge;
+    double sum = square[0] + square[1];
+    if constexpr (D == 3) sum += square[2];
+    return sum;
+  }
 
  private:
-  Vector<D> low_, high_;
+  static Real velocity_of(const Phase<D>& particle) { return Lane::load(particle.position.data() + D); }
+
+  Real low_, high_;
 };
+
+inline double square(double x) { return x * x; }
 
 struct Pair {
   std::uint32_t first, second;
@@ -45,22 +65,52 @@ class CollisionKernel final : public CollisionStage<D> {
       : selection_(parameters), displacement_(parameters.offset), mass_(parameters.mass) {}
 
   void collide(const CollisionStep<D>& step, std::uint32_t first_cell, std::uint32_t last_cell) const override {
-    for (std::uint32_t cell = first_cell; cell < last_cell; ++cell) {
-      const std::uint32_t begin = step.offsets[cell], end = step.offsets[cell + 1];
-      if (end - begin > 1) collide_cell(step, cell, step.particles + begin, end - begin);
+    std::array<Task, kBatch> tasks;
+    for (std::uint32_t first = first_cell; first < last_cell; first += kBatch) {
+      const std::size_t count = prepare(step, first, std::min(first + kBatch, last_cell), tasks.data());
+      for (std::size_t i = 0; i < count; ++i) collide_cell(step, tasks[i]);
     }
   }
 
  private:
-  void collide_cell(const CollisionStep<D>& step, std::uint32_t cell, Phase<D>* particles, std::uint32_t count) const {
-    Random random(step.key, cell);
-    VelocityBox<D> box(particles, particles + count);
-    double diagonal = box.square_diagonal();
-    double square_bound = selection_.bound(1) * selection_.bound(1) * diagonal;
-    double expected = step.coefficient * count * (count - 1.0) * std::sqrt(square_bound);
-    if constexpr (Factor) expected *= step.factor[cell];
+  static constexpr std::uint32_t kBatch = 64;
+
+  /// A cell with candidates.
+  struct Task {
+    VelocityBox<D> box;
+    double square_diagonal;
+    Random random;
+    std::uint64_t candidates;
+    std::uint32_t cell;
+  };
+
+  /// Draws the number of candidates of each cell. Apart from the collisions, whose branches nobody can guess, since the
+  /// long chain from velocities to the number then overlaps from cell to cell.
+  std::size_t prepare(const CollisionStep<D>& step, std::uint32_t first, std::uint32_t last, Task* tasks) const {
+    std::size_t count = 0;
+    for (std::uint32_t cell = first; cell < last; ++cell) {
+      const std::uint32_t begin = step.offsets[cell], particles = step.offsets[cell + 1] - begin;
+      Task& task = tasks[count];
+      task.box = VelocityBox<D>(step.particles + begin, particles);
+      task.square_diagonal = task.box.square_diagonal();
+      task.random = Random(step.key, cell);
+      const double pairs = static_cast<double>(particles) * (static_cast<double>(particles) - 1);
+      double expected = step.coefficient * pairs * selection_.bound(std::sqrt(task.square_diagonal));
+      if constexpr (Factor) expected *= step.factor[cell];
+      task.candidates = selection_.whole(expected, task.random);
+      task.cell = cell;
+      count += task.candidates > 0;
+    }
+    return count;
+  }
+
+  void collide_cell(const CollisionStep<D>& step, Task& task) const {
+    const std::uint32_t begin = step.offsets[task.cell], count = step.offsets[task.cell + 1] - begin;
+    Phase<D>* particles = step.particles + begin;
+    Random random = task.random;  // in registers
+    double square_bound = square(selection_.bound(1)) * task.square_diagonal;
     double transfer = 0;
-    for (std::uint64_t left = selection_.whole(expected, random); left > 0; --left) {
+    for (std::uint64_t left = task.candidates; left > 0; --left) {
       ++step.tally->candidates;
       const Pair pair = draw_pair(count, random);
       Phase<D>& one = particles[pair.first];
@@ -68,16 +118,17 @@ class CollisionKernel final : public CollisionStage<D> {
       const Vector<D> relative = one.velocity - two.velocity;
       const double square_speed = relative.squaredNorm();
       if (!selection_.accepts(square_speed, square_bound, random.uniform())) continue;
-      if (square_speed == 0) continue;
       transfer += collide_pair(one, two, relative, square_speed, random);
       ++step.tally->collisions;
-      box.include(one.velocity);
-      box.include(two.velocity);
-      if (const double wider = box.square_diagonal(); wider > diagonal) {
+      // From registers: a load of what was just stored in pieces would wait for the stores.
+      task.box.include(Lanes<D>::from(one.velocity, 0));
+      task.box.include(Lanes<D>::from(two.velocity, 0));
+      if (const double wider = task.box.square_diagonal(); wider > task.square_diagonal) [[unlikely]] {
         // The rest of the step goes on with the higher bound and proportionally more candidates.
-        left = 1 + selection_.whole((static_cast<double>(left) - 1) * std::sqrt(wider / diagonal), random);
-        square_bound *= wider / diagonal;
-        diagonal = wider;
+        const double ratio = wider / task.square_diagonal;
+        left = 1 + selection_.whole((static_cast<double>(left) - 1) * std::sqrt(ratio), random);
+        square_bound *= ratio;
+        task.square_diagonal = wider;
         ++step.tally->bound_raised;
       }
     }
@@ -86,11 +137,10 @@ class CollisionKernel final : public CollisionStage<D> {
 
   /// Returns the momentum times distance that the offset carries.
   double collide_pair(Phase<D>& one, Phase<D>& two, const Vector<D>& relative, double square_speed, Random& random) const {
-    const Vector<D> normal =
-        contact_normal(relative, 1 / std::sqrt(square_speed), selection_.template impact<D>(random));
-    selection_.template kick<D>(one.velocity, two.velocity, normal);
+    const Vector<D> change =
+        selection_.template kick<D>(one.velocity, two.velocity, relative, square_speed, random);
     if constexpr (Displacement::moves) {
-      const Vector<D> displacement = displacement_.template displacement<D>(normal, random);
+      const Vector<D> displacement = displacement_.template displacement<D>(change.normalized(), random);
       one.position += displacement;
       two.position -= displacement;
       if constexpr (Transfer) return mass_ * (one.velocity - two.velocity).dot(displacement);

@@ -1,5 +1,6 @@
 #include "sim/method/dsmc/motion_stage.hpp"
 
+#include "sim/space/cell_locator.hpp"
 #include "sim/space/flight.hpp"
 
 namespace sandglass::dsmc {
@@ -8,28 +9,81 @@ namespace {
 
 enum class Walls { none, specular };
 
+/// Flight without boundaries, all axes at once.
+template <int D>
+class FreeFlight {
+ public:
+  using Real = typename Lanes<D>::Real;
+
+  FreeFlight(const Vector<D>& gravity, const Vector<D>& box, double dt)
+      : gain_(Lanes<D>::from(Vector<D>(gravity * dt), 0)),
+        half_gain_(0.5 * gain_),
+        box_(Lanes<D>::from(box, HUGE_VAL)),
+        dt_(dt) {}
+
+  template <bool Gravity>
+  Real end(const Real& position, const Real& velocity) const {
+    if constexpr (Gravity) return position + dt_ * (velocity + half_gain_);
+    return position + dt_ * velocity;
+  }
+  bool inside(const Real& position) const {
+    const auto out = (position < 0) | (position >= box_);
+    if constexpr (D == 2)
+      return (out[0] | out[1]) == 0;
+    else
+      return (out[0] | out[1] | out[2]) == 0;
+  }
+  const Real& gain() const { return gain_; }
+
+ private:
+  Real gain_, half_gain_, box_;
+  double dt_;
+};
+
 template <int D, bool Gravity, Walls Sides, bool Crossings>
 class MotionKernel final : public MotionStage<D> {
  public:
   explicit MotionKernel(const MotionParameters<D>& parameters) : parameters_(parameters) {}
 
   void advance(ParticleStore<D>& store, std::size_t first, std::size_t last, double dt) const override {
-    const Grid<D> grid = store.grid();
-    const Vector<D> per_box = grid.box().cwiseInverse();
+    const CellLocator<D> locator(store.grid());
+    const FreeFlight<D> flight(parameters_.gravity, store.grid().box(), dt);
     Phase<D>* particles = store.phases().data();
-    std::uint32_t* destination = store.destination();
+    auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();
     for (std::size_t i = first; i < last; ++i) {
       Phase<D>& particle = particles[i];
-      if constexpr (Crossings) count_crossings(particle, grid.box(), dt);
-      for (int axis = 0; axis < D; ++axis) fly(particle, axis, grid.box()[axis], per_box[axis], dt);
-      destination[i] = grid.cell_of(particle.position);
-      ++arrivals[destination[i]];
+      if constexpr (Crossings) count_crossings(particle, store.grid().box(), dt);
+      const auto position = fly(particle, flight, store.grid().box(), dt);
+      const std::uint32_t cell = locator.cell_of(position);
+      places[i] = {cell, arrivals[cell]++};
     }
   }
 
  private:
-  void fly(Phase<D>& particle, int axis, double length, double per_length, double dt) const {
+  using Lane = Lanes<D>;
+
+  /// Free flight where it ends in the box, which is nearly always; else axis by axis with the boundaries.
+  typename Lane::Real fly(Phase<D>& particle, const FreeFlight<D>& flight, const Vector<D>& box, double dt) const {
+    double* components = particle.position.data();
+    if constexpr (Sides == Walls::specular) {
+      if (Gravity || parameters_.offsets) return fly_bounded(particle, box, dt);
+    }
+    const typename Lane::Real velocity = Lane::load(components + D);
+    const typename Lane::Real position = flight.template end<Gravity>(Lane::load(components), velocity);
+    if (!flight.inside(position)) [[unlikely]]
+      return fly_bounded(particle, box, dt);
+    Lane::store(components, position);
+    if constexpr (Gravity) Lane::store(components + D, velocity + flight.gain());
+    return position;
+  }
+
+  [[gnu::noinline]] typename Lane::Real fly_bounded(Phase<D>& particle, const Vector<D>& box, double dt) const {
+    for (int axis = 0; axis < D; ++axis) fly_along(particle, axis, box[axis], dt);
+    return Lane::from(particle.position, 0);
+  }
+
+  void fly_along(Phase<D>& particle, int axis, double length, double dt) const {
     double& x = particle.position[axis];
     double& velocity = particle.velocity[axis];
     if constexpr (Sides == Walls::specular) {
@@ -42,13 +96,9 @@ class MotionKernel final : public MotionStage<D> {
         return;
       }
     }
-    if constexpr (Gravity) {
-      x += dt * (velocity + 0.5 * dt * parameters_.gravity[axis]);
-      velocity += dt * parameters_.gravity[axis];
-    } else {
-      x += dt * velocity;
-    }
-    x = wrap(x, length, per_length);
+    x += dt * (velocity + 0.5 * dt * parameters_.gravity[axis]);
+    velocity += dt * parameters_.gravity[axis];
+    x = wrap(x, length, 1 / length);
   }
 
   /// Planes are normal to periodic axes without gravity: the signed number of passages is that of the unwrapped path.

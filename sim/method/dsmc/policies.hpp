@@ -40,8 +40,8 @@ struct RandomOffset {
 
 /// Majorant pair selection as it should be.
 struct Honest {
-  SmoothInelastic rule;
-  explicit Honest(const Parameters& parameters) : rule{parameters.restitution} {}
+  double restitution;
+  explicit Honest(const Parameters& parameters) : restitution(parameters.restitution) {}
 
   double bound(double bound) const { return bound; }
   /// Whole candidates of an expected number: the fraction is one more candidate with that probability.
@@ -51,13 +51,14 @@ struct Honest {
   bool accepts(double square_speed, double square_bound, double uniform) const {
     return uniform * uniform * square_bound < square_speed;
   }
+  /// Changes both velocities and returns the change of the first.
   template <int D>
-  Vector<D - 1> impact(Random& random) const {
-    return uniform_impact<D>(random);
-  }
-  template <int D>
-  void kick(Vector<D>& velocity_1, Vector<D>& velocity_2, const Vector<D>& normal) const {
-    rule(velocity_1, velocity_2, normal);
+  Vector<D> kick(Vector<D>& velocity_1, Vector<D>& velocity_2, const Vector<D>& relative, double square_speed,
+                 Random& random) const {
+    const Vector<D> change = smooth_kick(relative, square_speed, restitution, random);
+    velocity_1 += change;
+    velocity_2 -= change;
+    return change;
   }
 };
 
@@ -72,17 +73,17 @@ struct Faulty {
     return faults.fraction_truncated ? static_cast<std::uint64_t>(expected) : honest.whole(expected, random);
   }
   bool accepts(double square_speed, double square_bound, double uniform) const {
-    return honest.accepts(square_speed, square_bound, uniform) != faults.acceptance_inverted;
+    return square_speed > 0 && honest.accepts(square_speed, square_bound, uniform) != faults.acceptance_inverted;
   }
   template <int D>
-  Vector<D - 1> impact(Random& random) const {
-    return faults.impact * honest.impact<D>(random);
-  }
-  template <int D>
-  void kick(Vector<D>& velocity_1, Vector<D>& velocity_2, const Vector<D>& normal) const {
-    const Vector<D> before = velocity_2;
-    honest.kick<D>(velocity_1, velocity_2, normal);
-    velocity_2 += faults.momentum_leak * (before - velocity_2);
+  Vector<D> kick(Vector<D>& velocity_1, Vector<D>& velocity_2, const Vector<D>& relative, double square_speed,
+                 Random& random) const {
+    const Vector<D> before_1 = velocity_1, before_2 = velocity_2;
+    const Vector<D> normal =
+        contact_normal(relative, 1 / std::sqrt(square_speed), Vector<D - 1>(faults.impact * uniform_impact<D>(random)));
+    SmoothInelastic{honest.restitution}(velocity_1, velocity_2, normal);
+    velocity_2 += faults.momentum_leak * (before_2 - velocity_2);
+    return velocity_1 - before_1;
   }
 };
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "sim/space/grid.hpp"
+#include "sim/space/lanes.hpp"
+
+namespace sandglass {
+
+/// Grid::cell_of for the inner loop: all axes at once. The slow twin is Grid::cell_of.
+template <int D>
+class CellLocator {
+ public:
+  using Real = typename Lanes<D>::Real;
+  using Whole = typename Lanes<D>::Whole;
+
+  explicit CellLocator(const Grid<D>& grid) : per_length_{}, last_{}, stride_{} {
+    int stride = 1;
+    for (int axis = 0; axis < D; ++axis) {
+      per_length_[axis] = grid.cells_per_length(axis);
+      last_[axis] = static_cast<int>(grid.cells(axis)) - 1;
+      stride_[axis] = stride;
+      stride *= static_cast<int>(grid.cells(axis));
+    }
+  }
+
+  std::uint32_t cell_of(const Real& position) const {
+    const Whole coordinate = __builtin_convertvector(position * per_length_, Whole);
+    const Whole inside = coordinate < last_ ? coordinate : last_;
+    const Whole part = inside * stride_;
+    if constexpr (D == 2)
+      return static_cast<std::uint32_t>(part[0] + part[1]);
+    else
+      return static_cast<std::uint32_t>(part[0] + part[1] + part[2]);
+  }
+
+ private:
+  Real per_length_;
+  Whole last_, stride_;
+};
+
+}  // namespace sandglass
