@@ -91,11 +91,11 @@ double heating(const Subject& subject, const Wave& wave, double expected_rate) {
   return std::sqrt(1 + full * heated / weights) - 1;
 }
 
-/// Relative departure of a gas of rarefaction q = (k nu)^2 m/T from the Navier-Stokes decay: moment equations that relax the
-/// stress at the rate p/eta give nu k^2 (1 + q + ...); 2q bounds other closures.
+/// Relative departure of a gas of rarefaction q = (k nu)^2 m/T from the Navier-Stokes decay. To second order a stress that
+/// relaxes at the rate p/eta gives nu k^2 (1 + q), a distribution that does (BGK) gives nu k^2 (1 - q): q bounds both.
 double rarefaction(const Subject& subject, double viscosity) {
   const double speed_squared = subject.scene().initial.temperature / subject.species().mass;
-  return 2 * std::pow(wave_number(subject.scene()) * viscosity, 2) / speed_squared;
+  return std::pow(wave_number(subject.scene()) * viscosity, 2) / speed_squared;
 }
 
 Evidence shear_wave_viscosity(const Subject& subject, const law::Arguments& numbers) {

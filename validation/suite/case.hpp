@@ -28,6 +28,7 @@ struct Override {
 
 struct Point {
   std::string name, summary;
+  std::vector<std::string> variants;  ///< empty: all
   Override set;
 };
 

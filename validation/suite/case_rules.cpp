@@ -111,6 +111,8 @@ void check_case_rules(const Case& subject, Diagnostics& diagnostics) {
   check_tiers(subject, rules);
   for (std::size_t i = 0; i < subject.variants.size(); ++i)
     rules.selection({subject.variants[i].points, {}}, item_path("variant", i));
+  for (std::size_t i = 0; i < subject.points.size(); ++i)
+    rules.selection({{}, subject.points[i].variants}, item_path("point", i));
   check_sweeps(subject, rules);
   check_mutants(subject, rules);
 }

@@ -7,8 +7,8 @@
 namespace sandglass {
 
 namespace {
-bool runs(const Variant& variant, const std::string& point) {
-  return Selection{variant.points, {}}.holds(point, variant.name);
+bool runs(const Variant& variant, const Point& point) {
+  return Selection{variant.points, point.variants}.holds(point.name, variant.name);
 }
 
 std::vector<const CheckUse*> checks_of(const Case& subject, const std::string& variant,
@@ -36,7 +36,7 @@ std::vector<Task> expand(const Case& subject, const std::string& tier, const std
   for (const Variant& variant : subject.variants)
     for (const Point& point : subject.points) {
       if (!only_variant.empty() && variant.name != only_variant) continue;
-      if (!runs(variant, point.name) || !chosen.where.holds(point.name, variant.name)) continue;
+      if (!runs(variant, point) || !chosen.where.holds(point.name, variant.name)) continue;
       Task task{&subject, variant.name, point.name, scene_of(subject, tier, variant.name, point.name, {}),
                 checks_of(subject, variant.name, point.name)};
       if (!task.checks.empty()) tasks.push_back(std::move(task));

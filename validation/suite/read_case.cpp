@@ -125,6 +125,7 @@ void read_lists(Table& root, const Node& document, const std::string& file, Case
       read_list<Point>(root, document, "point", [&](Table& table, const Node& node, Point& point) {
         table.require("name", point.name, "a short name");
         table.read("summary", point.summary);
+        table.read("variants", point.variants);
         point.set = read_set(table, node, "set", file);
       });
   result.variants =
