@@ -6,12 +6,15 @@
 
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
+#include "sim/program/claims.hpp"
+#include "sim/program/folders.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/table.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/catalogue.hpp"
 #include "validation/check/check.hpp"
 #include "validation/law/law.hpp"
+#include "validation/suite/suite.hpp"
 
 namespace sandglass::program {
 
@@ -45,12 +48,30 @@ Entries checks() {
   return entries;
 }
 
+Entries cases() {
+  Entries entries = Entries::array();
+  for (const CaseSummary& item : list_cases(case_folder()))
+    entries.push_back({{"name", item.name}, {"summary", item.summary}, {"topic", item.topic}, {"variants", item.variants},
+                       {"points", item.points}, {"claims", item.claims}});
+  return entries;
+}
+
+Entries claims() {
+  Entries entries = Entries::array();
+  for (const Claim& claim : read_claims(claims_file()))
+    entries.push_back({{"name", claim.id}, {"summary", claim.text}, {"source", claim.source}, {"status", claim.status},
+                       {"evidence", claim.evidence}});
+  return entries;
+}
+
 const std::map<std::string, std::function<Entries()>>& lists() {
   static const std::map<std::string, std::function<Entries()>> all = {
       {"methods", [] { return names_of(preset_summaries()); }},
       {"observers", [] { return names_of(observer_summaries()); }},
       {"laws", laws},
       {"checks", checks},
+      {"cases", cases},
+      {"claims", claims},
       {"mutations", [] { return names_of(mutations()); }},
   };
   return all;

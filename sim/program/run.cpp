@@ -1,5 +1,3 @@
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -8,6 +6,7 @@
 #include "sim/program/options.hpp"
 #include "sim/program/parallel.hpp"
 #include "sim/program/progress_line.hpp"
+#include "sim/program/signals.hpp"
 #include "sim/program/table.hpp"
 #include "sim/record/record.hpp"
 #include "sim/run/run.hpp"
@@ -15,14 +14,6 @@
 namespace sandglass::program {
 
 namespace {
-
-std::atomic<bool> stop_asked{false};
-
-/// The first signal asks for a checkpoint, the second ends the program at once.
-void ask_to_stop(int signal) {
-  stop_asked = true;
-  std::signal(signal, SIG_DFL);
-}
 
 std::string record_path(const Options& options, const Scene& scene) {
   if (!options.output.empty()) return options.output;
@@ -72,13 +63,11 @@ template <class Work>
 int run_to_record(const Options& options, const std::string& path, Work work) {
   const Parallel parallel;
   refuse_bad_path(path, options.overwrite);
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
   ProgressLine line(options.quiet);
   RunOptions run_options;
   run_options.checkpoint_path = checkpoint_path(path);
   run_options.progress = line.callback();
-  run_options.stop = &stop_asked;
+  run_options.stop = &stop_on_signal();
   try {
     const Record record = work(run_options);
     write_record(path, record);

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <atomic>
+
+namespace sandglass::program {
+
+/// Catches SIGINT and SIGTERM: the first sets the flag that is returned, the second ends the program at once.
+const std::atomic<bool>& stop_on_signal();
+
+}  // namespace sandglass::program
