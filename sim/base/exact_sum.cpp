@@ -59,7 +59,8 @@ double ExactSum::value() const {
   while (top > 0 && magnitude.limb_[static_cast<std::size_t>(top)] == 0) --top;
   // Three limbs hold at least 65 significant bits; the limbs below only say which way a tie goes.
   std::uint64_t sticky = 0;
-  for (int i = 0; i + 3 < top + 1; ++i) sticky |= static_cast<std::uint64_t>(magnitude.limb_[static_cast<std::size_t>(i)]);
+  for (int i = 0; i + 3 < top + 1; ++i)
+    sticky |= static_cast<std::uint64_t>(magnitude.limb_[static_cast<std::size_t>(i)]);
   __extension__ unsigned __int128 bits = 0;
   const int bottom = top < 2 ? 0 : top - 2;
   for (int i = top; i >= bottom; --i)
@@ -87,7 +88,8 @@ std::vector<double> ExactSum::save() const {
 ExactSum ExactSum::load(const std::vector<double>& state) {
   ExactSum sum;
   sum.finite_ = state.at(0) != 0;
-  for (std::size_t i = 0; i < sum.limb_.size(); ++i) sum.limb_[i] = static_cast<std::int64_t>(state.at(i + 1));
+  for (std::size_t i = 0; i < sum.limb_.size(); ++i)
+    sum.limb_[i] = static_cast<std::int64_t>(state.at(i + 1));
   return sum;
 }
 

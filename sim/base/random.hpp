@@ -9,11 +9,11 @@ namespace sandglass {
 
 /// Registry of every random stream. A stream is named by (seed, purpose, replica, step, index), never by process.
 enum class Purpose : std::uint64_t {
-  positions = 1,        ///< index: particle
-  velocities = 2,       ///< index: particle
-  collisions = 3,       ///< index: cell
-  equilibration = 4,    ///< index: cell; the elastic collisions before time zero
-  crossings = 5,        ///< index: direction; velocities drawn from the flux distribution
+  positions = 1,      ///< index: particle
+  velocities = 2,     ///< index: particle
+  collisions = 3,     ///< index: cell
+  equilibration = 4,  ///< index: cell; the elastic collisions before time zero
+  crossings = 5,      ///< index: direction; velocities drawn from the flux distribution
 };
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.
@@ -34,7 +34,8 @@ class Random {
  public:
   Random() = default;  ///< no stream: to be assigned to
   Random(const StreamKey& key, std::uint64_t index)
-      : a_(mix(key.low + index * 0x9e3779b97f4a7c15u)), b_(mix(key.high ^ (index * 0xd1342543de82ef95u)) | 1u) {}
+      : a_(mix(key.low + index * 0x9e3779b97f4a7c15u)),
+        b_(mix(key.high ^ (index * 0xd1342543de82ef95u)) | 1u) {}
 
   std::uint64_t bits() {
     const std::uint64_t a = a_;

@@ -8,13 +8,13 @@ namespace sandglass {
 
 /// What an observer measures: its name, units and the shape of one sample.
 struct Quantity {
-  std::string name;     ///< hyphenated, e.g. "temperature"
-  std::string units;    ///< in scene units, e.g. "mass length^2 time^-2"; "1" when dimensionless
-  std::string summary;  ///< one sentence
-  std::vector<std::size_t> shape;        ///< shape of one sample; empty for a scalar
-  std::vector<std::string> components;   ///< names of the flattened components; may be empty
-  std::vector<double> axis;              ///< bin edges of the last dimension (histograms, fields); may be empty
-  std::string axis_label;                ///< e.g. "velocity [length/time]"
+  std::string name;                ///< hyphenated, e.g. "temperature"
+  std::string units;               ///< in scene units, e.g. "mass length^2 time^-2"; "1" when dimensionless
+  std::string summary;             ///< one sentence
+  std::vector<std::size_t> shape;  ///< shape of one sample; empty for a scalar
+  std::vector<std::string> components;  ///< names of the flattened components; may be empty
+  std::vector<double> axis;  ///< bin edges of the last dimension (histograms, fields); may be empty
+  std::string axis_label;    ///< e.g. "velocity [length/time]"
 
   std::size_t size() const {
     std::size_t product = 1;
@@ -38,7 +38,7 @@ struct Estimate {
   Quantity quantity;
   std::vector<double> value;
   std::vector<double> standard_error;  ///< NaN where it cannot be known (one sample, one replica)
-  double effective_samples = 0;        ///< independent samples that the error rests on (smallest over components)
+  double effective_samples = 0;  ///< independent samples that the error rests on (smallest over components)
 };
 
 }  // namespace sandglass

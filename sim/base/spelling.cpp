@@ -44,7 +44,8 @@ std::string list_words(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string unknown_word(std::string_view kind, std::string_view word, const std::vector<std::string>& allowed) {
+std::string unknown_word(std::string_view kind, std::string_view word,
+                         const std::vector<std::string>& allowed) {
   std::string text = "unknown " + std::string(kind) + " '" + std::string(word) + "'";
   if (const std::string nearest = nearest_spelling(word, allowed); !nearest.empty())
     text += "; did you mean '" + nearest + "'?";

@@ -13,6 +13,7 @@ std::string nearest_spelling(std::string_view word, const std::vector<std::strin
 std::string list_words(const std::vector<std::string>& words);
 
 /// "unknown <kind> 'word'; did you mean 'x'? allowed: ..."
-std::string unknown_word(std::string_view kind, std::string_view word, const std::vector<std::string>& allowed);
+std::string unknown_word(std::string_view kind, std::string_view word,
+                         const std::vector<std::string>& allowed);
 
 }  // namespace sandglass

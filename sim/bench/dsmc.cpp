@@ -1,9 +1,9 @@
+#include "sim/method/dsmc/dsmc.hpp"
+
 #include <cmath>
 #include <string>
 
 #include <benchmark/benchmark.h>
-
-#include "sim/method/dsmc/dsmc.hpp"
 
 // Particle-moves per second of the DSMC kernel: 10 particles per cell of two thirds of a mean free path, 0.06 collisions
 // per particle-move, elastic, periodic; then the same with one feature at a time.
@@ -54,11 +54,13 @@ void moves(benchmark::State& state, Feature feature) {
 
   MotionParameters<D> motion;
   std::vector<Plane> planes;
-  if (feature.plane) planes.emplace_back(0, 0.5 * edge_cells, std::vector<double>{-5, 0, 5}), motion.planes = &planes;
+  if (feature.plane)
+    planes.emplace_back(0, 0.5 * edge_cells, std::vector<double>{-5, 0, 5}), motion.planes = &planes;
   if (feature.gravity) motion.gravity[D - 1] = -1e-4;
   if (feature.walls) motion.walled[D - 1] = true;
   if (feature.factor) parameters.factor.formula = contact_formula(D);
-  parameters.offset = {feature.offset.consistent * parameters.diameter, feature.offset.random * parameters.diameter};
+  parameters.offset = {feature.offset.consistent * parameters.diameter,
+                       feature.offset.random * parameters.diameter};
   motion.offsets = parameters.offset.any();
   parameters.measure_transfer = feature.transfer;
   Dsmc<D> dsmc(grid, parameters, motion, Streams{}, Purpose::collisions, feature.ids);
@@ -68,18 +70,20 @@ void moves(benchmark::State& state, Feature feature) {
   dsmc.tally() = Tally{};
   for (auto _ : state) dsmc.step(dt, step++);
   const auto steps = static_cast<double>(state.iterations());
-  state.counters["moves_per_second"] = benchmark::Counter(steps * static_cast<double>(count), benchmark::Counter::kIsRate);
+  state.counters["moves_per_second"] =
+      benchmark::Counter(steps * static_cast<double>(count), benchmark::Counter::kIsRate);
   state.counters["collisions_per_second"] =
       benchmark::Counter(static_cast<double>(dsmc.tally().collisions), benchmark::Counter::kIsRate);
-  state.counters["collisions_per_move"] = static_cast<double>(dsmc.tally().collisions) / static_cast<double>(dsmc.tally().moves);
+  state.counters["collisions_per_move"] =
+      static_cast<double>(dsmc.tally().collisions) / static_cast<double>(dsmc.tally().moves);
   state.counters["bytes_per_particle"] = static_cast<double>(dsmc.bytes()) / static_cast<double>(count);
 }
 
 template <int D>
 void register_features(const std::string& prefix) {
   const auto add = [&](const char* name, Feature feature, std::initializer_list<std::int64_t> sizes) {
-    auto* bench = benchmark::RegisterBenchmark((prefix + name).c_str(),
-                                               [feature](benchmark::State& state) { moves<D>(state, feature); });
+    auto* bench = benchmark::RegisterBenchmark(
+        (prefix + name).c_str(), [feature](benchmark::State& state) { moves<D>(state, feature); });
     for (std::int64_t size : sizes) bench->Arg(size);
     bench->Unit(benchmark::kMillisecond);
   };

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <span>
-
 #include "sim/observe/view.hpp"
+
+#include <span>
 
 namespace sandglass {
 

@@ -1,9 +1,9 @@
 #include "sim/observe/collisions.hpp"
 
-#include <cmath>
-
 #include "sim/observe/axes.hpp"
 #include "sim/observe/sums.hpp"
+
+#include <cmath>
 
 namespace sandglass {
 
@@ -20,13 +20,19 @@ std::vector<double> CollisionCount<D>::measure(const View<D>& view) {
 
 template <int D>
 Quantity Pressure<D>::quantity() const {
-  return {"pressure", D == 2 ? "mass time^-2" : "mass length^-1 time^-2",
-          "pressure over the time since the previous sample", {3}, {"kinetic", "collisional", "total"}, {}, ""};
+  return {"pressure",
+          D == 2 ? "mass time^-2" : "mass length^-1 time^-2",
+          "pressure over the time since the previous sample",
+          {3},
+          {"kinetic", "collisional", "total"},
+          {},
+          ""};
 }
 
 template <int D>
 double Pressure<D>::kinetic(const View<D>& view) const {
-  return view.weight * static_cast<double>(view.particles.size()) * temperatures(view).mean() / view.box.prod();
+  return view.weight * static_cast<double>(view.particles.size()) * temperatures(view).mean() /
+         view.box.prod();
 }
 
 template <int D>
@@ -63,8 +69,13 @@ void Pressure<D>::load(const std::vector<double>& state) {
 
 template <int D>
 Quantity Crossings<D>::quantity() const {
-  return {"crossings", "particles", "passages of the plane by normal velocity since the previous sample", {spec_.bins}, {},
-          bin_edges(spec_), "velocity " + axis_name(spec_.axis) + " [length/time]"};
+  return {"crossings",
+          "particles",
+          "passages of the plane by normal velocity since the previous sample",
+          {spec_.bins},
+          {},
+          bin_edges(spec_),
+          "velocity " + axis_name(spec_.axis) + " [length/time]"};
 }
 
 template <int D>
@@ -74,7 +85,8 @@ std::vector<double> Crossings<D>::measure(const View<D>& view) {
 
 template <int D>
 Quantity CrossingCount<D>::quantity() const {
-  return {"crossing-count", "particles", "passages of the plane since time zero", {2}, {"up", "down"}, {}, ""};
+  return {
+      "crossing-count", "particles", "passages of the plane since time zero", {2}, {"up", "down"}, {}, ""};
 }
 
 template <int D>

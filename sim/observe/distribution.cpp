@@ -1,10 +1,10 @@
 #include "sim/observe/distribution.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/observe/axes.hpp"
 #include "sim/observe/sums.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace sandglass {
 
@@ -17,8 +17,13 @@ std::array<double, 4> powers(double square) {
 
 template <int D>
 Quantity Moments<D>::quantity() const {
-  return {"moments", "1", "even velocity moments relative to the second: one component (m) and the speed (s)", {7},
-          {"m2", "m4", "m6", "m8", "s4", "s6", "s8"}, {}, ""};
+  return {"moments",
+          "1",
+          "even velocity moments relative to the second: one component (m) and the speed (s)",
+          {7},
+          {"m2", "m4", "m6", "m8", "s4", "s6", "s8"},
+          {},
+          ""};
 }
 
 template <int D>
@@ -35,7 +40,8 @@ std::vector<double> Moments<D>::measure(const View<D>& view) {
   });
   const auto count = static_cast<double>(view.particles.size());
   const auto moment = [&](int group, int order) {
-    return sum[static_cast<std::size_t>(4 * group + order - 1)] / count / std::pow(sum[static_cast<std::size_t>(4 * group)] / count, order);
+    return sum[static_cast<std::size_t>(4 * group + order - 1)] / count /
+           std::pow(sum[static_cast<std::size_t>(4 * group)] / count, order);
   };
   std::vector<double> values;
   for (int order = 1; order <= 4; ++order) {
@@ -49,8 +55,13 @@ std::vector<double> Moments<D>::measure(const View<D>& view) {
 
 template <int D>
 Quantity VelocityHistogram<D>::quantity() const {
-  return {"velocity-histogram-" + axis_name(spec_.axis), "particles", "particles by one velocity component", {spec_.bins},
-          {}, bin_edges(spec_), "velocity " + axis_name(spec_.axis) + " [length/time]"};
+  return {"velocity-histogram-" + axis_name(spec_.axis),
+          "particles",
+          "particles by one velocity component",
+          {spec_.bins},
+          {},
+          bin_edges(spec_),
+          "velocity " + axis_name(spec_.axis) + " [length/time]"};
 }
 
 template <int D>
@@ -66,8 +77,13 @@ std::vector<double> VelocityHistogram<D>::measure(const View<D>& view) {
 
 template <int D>
 Quantity ShearMode<D>::quantity() const {
-  return {cosine_ ? "shear-mode-cos" : "shear-mode", "length time^-1",
-          cosine_ ? "cosine amplitude of the shear wave" : "sine amplitude of the shear wave", {}, {}, {}, ""};
+  return {cosine_ ? "shear-mode-cos" : "shear-mode",
+          "length time^-1",
+          cosine_ ? "cosine amplitude of the shear wave" : "sine amplitude of the shear wave",
+          {},
+          {},
+          {},
+          ""};
 }
 
 template <int D>

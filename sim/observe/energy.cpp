@@ -1,9 +1,9 @@
 #include "sim/observe/energy.hpp"
 
-#include <cmath>
-
 #include "sim/observe/axes.hpp"
 #include "sim/observe/sums.hpp"
+
+#include <cmath>
 
 namespace sandglass {
 
@@ -19,9 +19,8 @@ Quantity Energy<D>::quantity() const {
 
 template <int D>
 std::vector<double> Energy<D>::measure(const View<D>& view) {
-  const auto sum = sum_particles<1>(view, [](const Phase<D>& particle) {
-    return std::array{particle.velocity.squaredNorm()};
-  });
+  const auto sum = sum_particles<1>(
+      view, [](const Phase<D>& particle) { return std::array{particle.velocity.squaredNorm()}; });
   return {0.5 * view.weight * view.mass * sum[0]};
 }
 
@@ -29,8 +28,13 @@ template <int D>
 Quantity Temperature<D>::quantity() const {
   auto components = axis_names(D);
   components.push_back("total");
-  return {"temperature", kEnergyUnits, "granular temperature along each axis and their mean", {components.size()},
-          components, {}, ""};
+  return {"temperature",
+          kEnergyUnits,
+          "granular temperature along each axis and their mean",
+          {components.size()},
+          components,
+          {},
+          ""};
 }
 
 template <int D>

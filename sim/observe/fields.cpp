@@ -1,8 +1,8 @@
 #include "sim/observe/fields.hpp"
 
-#include <algorithm>
-
 #include "sim/observe/axes.hpp"
+
+#include <algorithm>
 
 namespace sandglass {
 
@@ -10,8 +10,13 @@ template <int D>
 Quantity Fields<D>::quantity() const {
   std::vector<std::size_t> shape = spec_.grid;
   shape.push_back(D + 2);
-  return {"fields", "length^-D; length time^-1; mass length^2 time^-2",
-          "per bin: number density, mean velocity, granular temperature", shape, {}, {}, ""};
+  return {"fields",
+          "length^-D; length time^-1; mass length^2 time^-2",
+          "per bin: number density, mean velocity, granular temperature",
+          shape,
+          {},
+          {},
+          ""};
 }
 
 template <int D>
@@ -52,7 +57,8 @@ std::vector<double> Fields<D>::measure(const View<D>& view) {
   for (const Sums& bin : sums) {
     values.push_back(density * static_cast<double>(bin.count));
     values.insert(values.end(), bin.mean.data(), bin.mean.data() + D);
-    values.push_back(bin.count > 1 ? view.mass * bin.squares / (D * (static_cast<double>(bin.count) - 1)) : 0);
+    values.push_back(bin.count > 1 ? view.mass * bin.squares / (D * (static_cast<double>(bin.count) - 1))
+                                   : 0);
   }
   return values;
 }

@@ -1,14 +1,14 @@
 #include "sim/observe/observer.hpp"
 
-#include <functional>
-#include <map>
-
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
 #include "sim/observe/collisions.hpp"
 #include "sim/observe/distribution.hpp"
 #include "sim/observe/energy.hpp"
 #include "sim/observe/fields.hpp"
+
+#include <functional>
+#include <map>
 
 namespace sandglass {
 
@@ -33,9 +33,12 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
       {"energy", [](Spec, std::size_t) { return list<D>(make_unique<Energy<D>>()); }},
       {"temperature", [](Spec, std::size_t) { return list<D>(make_unique<Temperature<D>>()); }},
       {"momentum",
-       [](Spec, std::size_t) { return list<D>(make_unique<Momentum<D>>(), make_unique<MomentumScale<D>>()); }},
+       [](Spec, std::size_t) {
+         return list<D>(make_unique<Momentum<D>>(), make_unique<MomentumScale<D>>());
+       }},
       {"moments", [](Spec, std::size_t) { return list<D>(make_unique<Moments<D>>()); }},
-      {"velocity-histogram", [](Spec spec, std::size_t) { return list<D>(make_unique<VelocityHistogram<D>>(spec)); }},
+      {"velocity-histogram",
+       [](Spec spec, std::size_t) { return list<D>(make_unique<VelocityHistogram<D>>(spec)); }},
       {"collisions",
        [](Spec, std::size_t) {
          return list<D>(make_unique<CollisionCount<D>>(false), make_unique<CollisionCount<D>>(true));
@@ -48,7 +51,8 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
       {"fields", [](Spec spec, std::size_t) { return list<D>(make_unique<Fields<D>>(spec)); }},
       {"shear-mode",
        [](Spec spec, std::size_t) {
-         return list<D>(make_unique<ShearMode<D>>(spec.periods, false), make_unique<ShearMode<D>>(spec.periods, true));
+         return list<D>(make_unique<ShearMode<D>>(spec.periods, false),
+                        make_unique<ShearMode<D>>(spec.periods, true));
        }},
   };
   return all;
@@ -63,7 +67,8 @@ Needs needs_of(const ObserverSpec& spec) {
 std::vector<double> bin_edges(const ObserverSpec& spec) {
   std::vector<double> edges(spec.bins + 1);
   for (std::size_t i = 0; i <= spec.bins; ++i)
-    edges[i] = spec.range[0] + (spec.range[1] - spec.range[0]) * static_cast<double>(i) / static_cast<double>(spec.bins);
+    edges[i] = spec.range[0] +
+               (spec.range[1] - spec.range[0]) * static_cast<double>(i) / static_cast<double>(spec.bins);
   return edges;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "sim/base/series.hpp"
+#include "sim/observe/view.hpp"
+
 #include <array>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include "sim/base/series.hpp"
-#include "sim/observe/view.hpp"
 
 namespace sandglass {
 

@@ -1,8 +1,8 @@
 #include "sim/observe/plane.hpp"
 
-#include <algorithm>
-
 #include "sim/base/error.hpp"
+
+#include <algorithm>
 
 namespace sandglass {
 
@@ -32,7 +32,8 @@ std::vector<double> Plane::save() const {
 void Plane::load(const std::vector<double>& state) {
   up_ = static_cast<std::uint64_t>(state.at(0));
   down_ = static_cast<std::uint64_t>(state.at(1));
-  for (std::size_t i = 0; i < histogram_.size(); ++i) histogram_[i] = static_cast<std::uint64_t>(state.at(i + 2));
+  for (std::size_t i = 0; i < histogram_.size(); ++i)
+    histogram_[i] = static_cast<std::uint64_t>(state.at(i + 2));
 }
 
 }  // namespace sandglass

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
-
 #include "sim/base/exact_sum.hpp"
 #include "sim/observe/view.hpp"
+
+#include <array>
 
 namespace sandglass {
 
@@ -53,7 +53,8 @@ Vector<D> temperatures(const View<D>& view) {
   });
   Vector<D> temperature;
   for (int axis = 0; axis < D; ++axis)
-    temperature[axis] = view.mass * sum[static_cast<std::size_t>(axis)] / (static_cast<double>(view.particles.size()) - 1);
+    temperature[axis] =
+        view.mass * sum[static_cast<std::size_t>(axis)] / (static_cast<double>(view.particles.size()) - 1);
   return temperature;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cstdint>
-
 #include "sim/base/exact_sum.hpp"
+
+#include <cstdint>
 
 namespace sandglass {
 
@@ -10,10 +10,10 @@ namespace sandglass {
 /// cannot show.
 struct Tally {
   std::uint64_t collisions = 0;
-  std::uint64_t candidates = 0;     ///< pairs tried
-  std::uint64_t bound_raised = 0;   ///< collisions after which the bound on relative speeds had to rise
-  std::uint64_t moves = 0;          ///< particle-moves
-  ExactSum transfer;                ///< sum over collisions of m v' . displacement: momentum carried by the offsets
+  std::uint64_t candidates = 0;    ///< pairs tried
+  std::uint64_t bound_raised = 0;  ///< collisions after which the bound on relative speeds had to rise
+  std::uint64_t moves = 0;         ///< particle-moves
+  ExactSum transfer;  ///< sum over collisions of m v' . displacement: momentum carried by the offsets
 };
 
 }  // namespace sandglass

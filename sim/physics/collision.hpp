@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cmath>
-
 #include "sim/base/random.hpp"
 #include "sim/base/vector.hpp"
+
+#include <cmath>
 
 namespace sandglass {
 
@@ -78,13 +78,15 @@ template <int D>
 /// Change of the velocity of particle 1 (particle 2 gets the opposite) in a smooth collision of equal masses with a uniform
 /// impact parameter. Without the normal, its root and its division: in 3D the elastic relative velocity leaves in a
 /// uniform direction e, so that the kick is (1 + r)/4 (|c| e - c). The slow twin is contact_normal with SmoothInelastic.
-[[gnu::always_inline]] inline Vector<3> smooth_kick(const Vector<3>& relative, double square_speed, double restitution, Random& random) {
+[[gnu::always_inline]] inline Vector<3> smooth_kick(const Vector<3>& relative, double square_speed,
+                                                    double restitution, Random& random) {
   const Vector<3> leaving = std::sqrt(square_speed) * uniform_direction<3>(random);
   return 0.25 * (1 + restitution) * (leaving - relative);
 }
 
 /// In 2D the kick is -(1 + r)/2 ((1 - b^2) c + b sqrt(1 - b^2) c_perp) with the impact parameter b in diameters.
-[[gnu::always_inline]] inline Vector<2> smooth_kick(const Vector<2>& relative, double, double restitution, Random& random) {
+[[gnu::always_inline]] inline Vector<2> smooth_kick(const Vector<2>& relative, double, double restitution,
+                                                    Random& random) {
   const double b = uniform_impact<2>(random)[0];
   const double along = 1 - b * b, across = b * std::sqrt(along);
   return -0.5 * (1 + restitution) *

@@ -25,6 +25,8 @@ inline ContactValue carnahan_starling(double fraction) {
 }
 
 using ContactFormula = ContactValue (*)(double fraction);
-inline ContactFormula contact_formula(int dimension) { return dimension == 2 ? henderson : carnahan_starling; }
+inline ContactFormula contact_formula(int dimension) {
+  return dimension == 2 ? henderson : carnahan_starling;
+}
 
 }  // namespace sandglass

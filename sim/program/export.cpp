@@ -1,11 +1,11 @@
 #include "sim/record/export.hpp"
 
+#include "sim/program/options.hpp"
+#include "sim/scene/scene.hpp"
+
 #include <filesystem>
 
 #include <fmt/format.h>
-
-#include "sim/program/options.hpp"
-#include "sim/scene/scene.hpp"
 
 namespace sandglass::program {
 
@@ -20,9 +20,11 @@ int export_files(const Options& options) {
   const Record record = read_record(options.subject);
   const Scene scene = read_scene_text(record.scene, options.subject);
   const std::string path =
-      options.output.empty() ? std::filesystem::path(options.subject).replace_extension(extension_of(options.format)).string()
-                             : options.output;
-  for (const std::string& file : export_record(record, options.format, path, {scene.species.front().diameter}))
+      options.output.empty()
+          ? std::filesystem::path(options.subject).replace_extension(extension_of(options.format)).string()
+          : options.output;
+  for (const std::string& file :
+       export_record(record, options.format, path, {scene.species.front().diameter}))
     fmt::print("{}\n", file);
   return all_well;
 }

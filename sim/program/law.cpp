@@ -1,11 +1,12 @@
+#include "validation/law/law.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/program/options.hpp"
+
 #include <charconv>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include "sim/base/error.hpp"
-#include "sim/program/options.hpp"
-#include "validation/law/law.hpp"
 
 namespace sandglass::program {
 
@@ -32,13 +33,14 @@ int evaluate_law(const Options& options) {
   const law::Law& found = law::find_law(options.subject);
   const double value = law::evaluate(found, read_arguments(options.words));
   if (options.json) {
-    const nlohmann::json json = {{"name", found.name},     {"value", value},           {"units", found.units},
-                                 {"source", found.source}, {"validity", found.validity}, {"summary", found.summary}};
+    const nlohmann::json json = {{"name", found.name},         {"value", value},
+                                 {"units", found.units},       {"source", found.source},
+                                 {"validity", found.validity}, {"summary", found.summary}};
     fmt::print("{}\n", json.dump(2));
     return all_well;
   }
-  fmt::print("{} = {:.15g}  [{}]\n  {}\n  source: {}\n  valid: {}\n", found.name, value, found.units, found.summary,
-             found.source, found.validity);
+  fmt::print("{} = {:.15g}  [{}]\n  {}\n  source: {}\n  valid: {}\n", found.name, value, found.units,
+             found.summary, found.source, found.validity);
   return all_well;
 }
 

@@ -1,9 +1,3 @@
-#include <functional>
-#include <map>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
 #include "sim/program/claims.hpp"
@@ -15,6 +9,12 @@
 #include "validation/check/check.hpp"
 #include "validation/law/law.hpp"
 #include "validation/suite/suite.hpp"
+
+#include <functional>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace sandglass::program {
 
@@ -34,9 +34,14 @@ Entries laws() {
   for (const law::Law& law : law::all_laws()) {
     Entries parameters = Entries::array();
     for (const law::Parameter& parameter : law.parameters)
-      parameters.push_back({{"name", parameter.name}, {"units", parameter.units}, {"summary", parameter.summary}});
-    entries.push_back({{"name", law.name}, {"summary", law.summary}, {"source", law.source}, {"units", law.units},
-                       {"validity", law.validity}, {"parameters", parameters}});
+      parameters.push_back(
+          {{"name", parameter.name}, {"units", parameter.units}, {"summary", parameter.summary}});
+    entries.push_back({{"name", law.name},
+                       {"summary", law.summary},
+                       {"source", law.source},
+                       {"units", law.units},
+                       {"validity", law.validity},
+                       {"parameters", parameters}});
   }
   return entries;
 }
@@ -44,22 +49,30 @@ Entries laws() {
 Entries checks() {
   Entries entries = Entries::array();
   for (const CheckInfo& check : all_checks())
-    entries.push_back({{"name", check.name}, {"summary", check.summary}, {"law", check.law}, {"needs", check.needs}});
+    entries.push_back(
+        {{"name", check.name}, {"summary", check.summary}, {"law", check.law}, {"needs", check.needs}});
   return entries;
 }
 
 Entries cases() {
   Entries entries = Entries::array();
   for (const CaseSummary& item : list_cases(case_folder()))
-    entries.push_back({{"name", item.name}, {"summary", item.summary}, {"topic", item.topic}, {"variants", item.variants},
-                       {"points", item.points}, {"claims", item.claims}});
+    entries.push_back({{"name", item.name},
+                       {"summary", item.summary},
+                       {"topic", item.topic},
+                       {"variants", item.variants},
+                       {"points", item.points},
+                       {"claims", item.claims}});
   return entries;
 }
 
 Entries claims() {
   Entries entries = Entries::array();
   for (const Claim& claim : read_claims(claims_file()))
-    entries.push_back({{"name", claim.id}, {"summary", claim.text}, {"source", claim.source}, {"status", claim.status},
+    entries.push_back({{"name", claim.id},
+                       {"summary", claim.text},
+                       {"source", claim.source},
+                       {"status", claim.status},
                        {"evidence", claim.evidence}});
   return entries;
 }

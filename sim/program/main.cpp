@@ -1,14 +1,14 @@
+#include "sim/base/error.hpp"
+#include "sim/base/spelling.hpp"
+#include "sim/program/options.hpp"
+#include "sim/run/run.hpp"
+
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <map>
 
 #include <CLI/CLI.hpp>
-
-#include "sim/base/error.hpp"
-#include "sim/base/spelling.hpp"
-#include "sim/program/options.hpp"
-#include "sim/run/run.hpp"
 
 namespace sandglass::program {
 namespace {
@@ -18,7 +18,8 @@ using Command = std::function<int(const Options&)>;
 void add_run(CLI::App& app, Options& options) {
   CLI::App* run = app.add_subcommand("run", "run a scene and write its record");
   run->add_option("scene", options.subject, "scene file (TOML)")->required();
-  run->add_option("-o,--output", options.output, "record to write (default: from the scene, else its name with .h5)");
+  run->add_option("-o,--output", options.output,
+                  "record to write (default: from the scene, else its name with .h5)");
   run->add_option("--seed", options.seed, "seed instead of the scene's");
   run->add_flag("--overwrite", options.overwrite, "replace a record that exists");
   run->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
@@ -49,7 +50,8 @@ void add_judging(CLI::App& app, Options& options) {
 }
 
 void add_looking(CLI::App& app, Options& options) {
-  CLI::App* list = app.add_subcommand("list", "list methods, observers, cases, laws, checks, claims or mutations");
+  CLI::App* list =
+      app.add_subcommand("list", "list methods, observers, cases, laws, checks, claims or mutations");
   list->add_option("what", options.subject, "what to list")->required();
   list->add_flag("--json", options.json, "as JSON");
   CLI::App* law = app.add_subcommand("law", "evaluate an analytic result");
@@ -64,8 +66,8 @@ void add_looking(CLI::App& app, Options& options) {
 
 const std::map<std::string, Command>& commands() {
   static const std::map<std::string, Command> all = {
-      {"run", run},     {"resume", resume_run}, {"plan", show_plan}, {"check", check}, {"validate", validate},
-      {"list", list},   {"law", evaluate_law},  {"export", export_files},
+      {"run", run},           {"resume", resume_run}, {"plan", show_plan},   {"check", check},
+      {"validate", validate}, {"list", list},         {"law", evaluate_law}, {"export", export_files},
   };
   return all;
 }

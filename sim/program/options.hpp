@@ -10,14 +10,14 @@ namespace sandglass::program {
 /// The command line, read. Which fields mean something depends on the command.
 struct Options {
   std::string command;
-  std::string subject;                ///< scene, record, checkpoint, name of a law, or what to list
-  std::vector<std::string> words;     ///< key=value pairs of a law, or cases
+  std::string subject;             ///< scene, record, checkpoint, name of a law, or what to list
+  std::vector<std::string> words;  ///< key=value pairs of a law, or cases
   std::string output;
   std::string format = "vtp";
   std::string tier = "standard";
   std::string variant;
   std::optional<std::uint64_t> seed;
-  int jobs = 0;                       ///< 0: as many as there are cores
+  int jobs = 0;  ///< 0: as many as there are cores
   bool json = false, quiet = false, overwrite = false, mutants = false;
 };
 

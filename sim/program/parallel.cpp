@@ -1,11 +1,11 @@
 #include "sim/program/parallel.hpp"
 
+#include "sim/base/error.hpp"
+
 #include <cstdlib>
 #include <string>
 
 #include <mpi.h>
-
-#include "sim/base/error.hpp"
 
 namespace sandglass::program {
 

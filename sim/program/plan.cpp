@@ -1,9 +1,9 @@
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include "sim/program/options.hpp"
 #include "sim/program/table.hpp"
 #include "sim/run/run.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace sandglass::program {
 
@@ -38,13 +38,14 @@ std::string as_text(const Plan& plan) {
   std::vector<std::vector<std::string>> rows = {
       {"method", plan.method},
       {"particles", fmt::format("{} x {} replica(s)", plan.particles, plan.replicas)},
-      {"cells", fmt::format("{} ({:.3g} particles each, {:.3g} mean free paths wide)", plan.cells, plan.particles_per_cell,
-                            plan.cell_size_in_mean_free_paths)},
-      {"time step", fmt::format("{:.6g} ({:.3g} collisions per particle)", plan.time_step, plan.collisions_per_particle_and_step)},
+      {"cells", fmt::format("{} ({:.3g} particles each, {:.3g} mean free paths wide)", plan.cells,
+                            plan.particles_per_cell, plan.cell_size_in_mean_free_paths)},
+      {"time step", fmt::format("{:.6g} ({:.3g} collisions per particle)", plan.time_step,
+                                plan.collisions_per_particle_and_step)},
       {"memory", fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle,
                              plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6)},
-      {"work", fmt::format("{:.4g} steps, {:.3g} particle-moves, {:.3g} collisions", plan.steps, plan.particle_moves,
-                           plan.expected_collisions)},
+      {"work", fmt::format("{:.4g} steps, {:.3g} particle-moves, {:.3g} collisions", plan.steps,
+                           plan.particle_moves, plan.expected_collisions)},
       {"columns", joined(plan.columns)},
       {"in use", joined(plan.used)},
       {"left out", joined(plan.left_out)},

@@ -32,8 +32,9 @@ std::function<void(const Progress&)> ProgressLine::callback() {
 
 void ProgressLine::show(const Progress& progress) {
   const std::string line =
-      fmt::format("\r\033[K{:5.1f}%  {} left  {:.3g} moves/s  step {}  t = {:.5g}  replica {}", 100 * progress.fraction,
-                  duration(progress.seconds_left), progress.moves_per_second, progress.step, progress.time, progress.replica + 1);
+      fmt::format("\r\033[K{:5.1f}%  {} left  {:.3g} moves/s  step {}  t = {:.5g}  replica {}",
+                  100 * progress.fraction, duration(progress.seconds_left), progress.moves_per_second,
+                  progress.step, progress.time, progress.replica + 1);
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;

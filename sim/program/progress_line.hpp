@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
-
 #include "sim/run/run.hpp"
+
+#include <functional>
 
 namespace sandglass::program {
 

@@ -1,6 +1,4 @@
-#include <filesystem>
-
-#include <fmt/format.h>
+#include "sim/run/run.hpp"
 
 #include "sim/base/error.hpp"
 #include "sim/program/options.hpp"
@@ -9,7 +7,10 @@
 #include "sim/program/signals.hpp"
 #include "sim/program/table.hpp"
 #include "sim/record/record.hpp"
-#include "sim/run/run.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
 
 namespace sandglass::program {
 
@@ -31,10 +32,13 @@ void refuse_bad_path(const std::string& path, bool overwrite) {
   std::error_code none;
   const fs::path folder = fs::absolute(path).parent_path();
   if (!fs::is_directory(folder, none))
-    throw InputError(fmt::format("{}: no such folder: {}; make it, or give another place with --output", path, folder.string()));
-  if (fs::is_directory(path, none)) throw InputError(fmt::format("{}: is a folder; give a file with --output", path));
+    throw InputError(fmt::format("{}: no such folder: {}; make it, or give another place with --output", path,
+                                 folder.string()));
+  if (fs::is_directory(path, none))
+    throw InputError(fmt::format("{}: is a folder; give a file with --output", path));
   if (!overwrite && fs::exists(path, none))
-    throw InputError(fmt::format("{}: exists already; use --overwrite to replace it, or another file with --output", path));
+    throw InputError(fmt::format(
+        "{}: exists already; use --overwrite to replace it, or another file with --output", path));
 }
 
 std::string summary(const Record& record, const std::string& path) {
@@ -44,14 +48,16 @@ std::string summary(const Record& record, const std::string& path) {
     collisions += replica.counters.at("collisions");
   }
   const double seconds = record.timings.at("cpu-seconds");
-  std::string text = fmt::format("{}: {} replica(s), {:.4g} collisions, {:.4g} particle-moves in {:.3g} CPU seconds ({:.3g} moves/s)\n",
-                                 path, record.replicas.size(), collisions, moves, seconds, moves / seconds);
+  std::string text = fmt::format(
+      "{}: {} replica(s), {:.4g} collisions, {:.4g} particle-moves in {:.3g} CPU seconds ({:.3g} moves/s)\n",
+      path, record.replicas.size(), collisions, moves, seconds, moves / seconds);
   std::vector<std::vector<std::string>> rows = {{"quantity", "mean", "standard error", "units"}};
   for (const Estimate& estimate : record.estimates) {
     if (estimate.value.size() > 8) continue;
     for (std::size_t i = 0; i < estimate.value.size(); ++i) {
       const auto& names = estimate.quantity.components;
-      rows.push_back({estimate.quantity.name + (i < names.size() ? " " + names[i] : ""), fmt::format("{:.6g}", estimate.value[i]),
+      rows.push_back({estimate.quantity.name + (i < names.size() ? " " + names[i] : ""),
+                      fmt::format("{:.6g}", estimate.value[i]),
                       fmt::format("{:.2g}", estimate.standard_error[i]), estimate.quantity.units});
     }
   }
@@ -73,7 +79,8 @@ int run_to_record(const Options& options, const std::string& path, Work work) {
     write_record(path, record);
     if (!options.quiet) fmt::print("{}", summary(record, path));
   } catch (const Interrupted& stop) {
-    throw Interrupted(fmt::format("{}; go on with: sandglass resume {}", stop.what(), run_options.checkpoint_path));
+    throw Interrupted(
+        fmt::format("{}; go on with: sandglass resume {}", stop.what(), run_options.checkpoint_path));
   }
   return all_well;
 }
@@ -85,16 +92,19 @@ int run(const Options& options) {
   if (options.seed) scene.run.seed = *options.seed;
   const std::string path = record_path(options, scene);
   scene.output.record = path;
-  return run_to_record(options, path, [&](const RunOptions& run_options) { return run_scene(scene, run_options); });
+  return run_to_record(options, path,
+                       [&](const RunOptions& run_options) { return run_scene(scene, run_options); });
 }
 
 int resume_run(const Options& options) {
   const Record checkpoint = read_record(options.subject);
   if (!checkpoint.state)
-    throw InputError(fmt::format("{}: is a finished record, not a checkpoint; there is nothing to resume", options.subject));
+    throw InputError(fmt::format("{}: is a finished record, not a checkpoint; there is nothing to resume",
+                                 options.subject));
   const Scene scene = read_scene_text(checkpoint.scene, options.subject);
   const std::string path = record_path(options, scene);
-  return run_to_record(options, path, [&](const RunOptions& run_options) { return resume(checkpoint, run_options); });
+  return run_to_record(options, path,
+                       [&](const RunOptions& run_options) { return resume(checkpoint, run_options); });
 }
 
 }  // namespace sandglass::program

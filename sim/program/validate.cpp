@@ -1,15 +1,15 @@
+#include "sim/program/folders.hpp"
+#include "sim/program/options.hpp"
+#include "sim/program/parallel.hpp"
+#include "sim/program/signals.hpp"
+#include "validation/suite/suite.hpp"
+
 #include <algorithm>
 #include <map>
 #include <thread>
 
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include "sim/program/folders.hpp"
-#include "sim/program/options.hpp"
-#include "sim/program/parallel.hpp"
-#include "sim/program/signals.hpp"
-#include "validation/suite/suite.hpp"
 
 namespace sandglass::program {
 
@@ -21,7 +21,8 @@ SuiteOptions suite_options(const Options& options) {
   suite.cases = options.words;
   suite.tier = options.tier;
   suite.variant = options.variant;
-  suite.jobs = options.jobs > 0 ? static_cast<unsigned>(options.jobs) : std::max(1u, std::thread::hardware_concurrency());
+  suite.jobs = options.jobs > 0 ? static_cast<unsigned>(options.jobs)
+                                : std::max(1u, std::thread::hardware_concurrency());
   if (!options.output.empty()) suite.output = options.output;
   suite.mutants = options.mutants;
   suite.seed = options.seed;
@@ -34,16 +35,17 @@ std::function<void(const SuiteProgress&)> reporter(bool quiet) {
   if (quiet) return {};
   const bool live = isatty(STDERR_FILENO) != 0;
   return [live](const SuiteProgress& progress) {
-    fmt::print(stderr, "{}[{}/{}] {:3.0f}%  {}  {:.2f} CPU s{}", live ? "\r\033[K" : "", progress.done, progress.total,
-               100 * progress.fraction, progress.finished, progress.cpu_seconds, live ? "" : "\n");
+    fmt::print(stderr, "{}[{}/{}] {:3.0f}%  {}  {:.2f} CPU s{}", live ? "\r\033[K" : "", progress.done,
+               progress.total, 100 * progress.fraction, progress.finished, progress.cpu_seconds,
+               live ? "" : "\n");
     if (live && progress.done == progress.total) fmt::print(stderr, "\r\033[K");
   };
 }
 
 void print_blocking(const Outcome& outcome, const CheckOutcome& check) {
   if (blocks(check.judgement.verdict))
-    fmt::print("{}  {}/{}/{}  {}: {}\n", to_string(check.judgement.verdict), outcome.case_name, outcome.run.variant,
-               outcome.run.point, check.evidence.check, check.judgement.reason);
+    fmt::print("{}  {}/{}/{}  {}: {}\n", to_string(check.judgement.verdict), outcome.case_name,
+               outcome.run.variant, outcome.run.point, check.evidence.check, check.judgement.reason);
 }
 
 void print_verdicts(const SuiteResult& result) {
@@ -54,17 +56,19 @@ void print_verdicts(const SuiteResult& result) {
       print_blocking(outcome, check);
     }
   std::string text;
-  for (const auto& [word, number] : count) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, word);
+  for (const auto& [word, number] : count)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, word);
   if (!text.empty()) fmt::print("verdicts: {}\n", text);
 }
 
 void print_mutants(const SuiteResult& result) {
   if (result.mutants.empty()) return;
-  const auto caught = std::ranges::count_if(result.mutants, [](const MutantResult& mutant) { return mutant.caught; });
+  const auto caught =
+      std::ranges::count_if(result.mutants, [](const MutantResult& mutant) { return mutant.caught; });
   for (const MutantResult& mutant : result.mutants)
     if (!mutant.caught)
-      fmt::print("missed  {} by {}/{}/{}  {}: {}\n", mutant.mutation, mutant.case_name, mutant.variant, mutant.point,
-                 mutant.check.evidence.check, mutant.check.judgement.reason);
+      fmt::print("missed  {} by {}/{}/{}  {}: {}\n", mutant.mutation, mutant.case_name, mutant.variant,
+                 mutant.point, mutant.check.evidence.check, mutant.check.judgement.reason);
   fmt::print("planted faults: {} of {} caught\n", caught, result.mutants.size());
 }
 

@@ -1,9 +1,9 @@
 #include "sim/run/estimates.hpp"
 
+#include "sim/base/statistics.hpp"
+
 #include <algorithm>
 #include <limits>
-
-#include "sim/base/statistics.hpp"
 
 namespace sandglass {
 
@@ -56,12 +56,15 @@ Estimate estimate_series(const std::vector<Replica>& replicas, std::size_t index
 
 }  // namespace
 
-std::vector<Estimate> estimate(const std::vector<Replica>& replicas, const std::set<std::string>& cumulative) {
+std::vector<Estimate> estimate(const std::vector<Replica>& replicas,
+                               const std::set<std::string>& cumulative) {
   std::vector<Estimate> estimates;
   if (replicas.empty()) return estimates;
   for (std::size_t index = 0; index < replicas.front().series.size(); ++index) {
     const bool counts = cumulative.contains(replicas.front().series[index].quantity.name);
-    const auto enough = [&](const Replica& replica) { return replica.series[index].samples() > (counts ? 1u : 0u); };
+    const auto enough = [&](const Replica& replica) {
+      return replica.series[index].samples() > (counts ? 1u : 0u);
+    };
     if (std::ranges::all_of(replicas, enough)) estimates.push_back(estimate_series(replicas, index, counts));
   }
   return estimates;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "sim/record/record.hpp"
+
 #include <set>
 #include <string>
 #include <vector>
-
-#include "sim/record/record.hpp"
 
 namespace sandglass {
 

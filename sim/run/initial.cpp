@@ -1,12 +1,12 @@
 #include "sim/run/initial.hpp"
 
-#include <cmath>
-
-#include <boost/random/normal_distribution.hpp>
-
 #include "sim/base/error.hpp"
 #include "sim/run/placement.hpp"
 #include "sim/run/time_step.hpp"
+
+#include <cmath>
+
+#include <boost/random/normal_distribution.hpp>
 
 namespace sandglass {
 
@@ -26,7 +26,8 @@ void draw_velocities(std::vector<Phase<D>>& particles, double thermal, const Str
 template <int D>
 void make_exact(std::vector<Phase<D>>& particles, double thermal) {
   Vector<D> mean = Vector<D>::Zero();
-  for (const Phase<D>& particle : particles) mean += particle.velocity / static_cast<double>(particles.size());
+  for (const Phase<D>& particle : particles)
+    mean += particle.velocity / static_cast<double>(particles.size());
   double square = 0;
   for (Phase<D>& particle : particles) {
     particle.velocity -= mean;
@@ -38,7 +39,8 @@ void make_exact(std::vector<Phase<D>>& particles, double thermal) {
 
 /// Elastic collisions of the method's own kind, without gravity, before time zero.
 template <int D>
-void equilibrate(std::vector<Phase<D>>& particles, const Scene& scene, const Setup<D>& setup, const Streams& streams) {
+void equilibrate(std::vector<Phase<D>>& particles, const Scene& scene, const Setup<D>& setup,
+                 const Streams& streams) {
   dsmc::Parameters elastic = setup.parameters;
   elastic.restitution = 1;
   elastic.measure_transfer = false;
@@ -50,7 +52,9 @@ void equilibrate(std::vector<Phase<D>>& particles, const Scene& scene, const Set
   const double wanted = scene.initial.equilibrate_collisions * static_cast<double>(particles.size()) / 2;
   for (std::uint64_t step = 0; static_cast<double>(gas.tally().collisions) < wanted; ++step) {
     if (step > 1'000'000 && gas.tally().collisions == 0)
-      throw InputError("equilibration: no collision in a million steps; lower 'initial.equilibrate-collisions-per-particle' or raise 'method.time-step'");
+      throw InputError(
+          "equilibration: no collision in a million steps; lower "
+          "'initial.equilibrate-collisions-per-particle' or raise 'method.time-step'");
     gas.step(stepper.next(gas.view(), step), step);
   }
   const auto after = gas.view().particles;
@@ -63,8 +67,9 @@ void set_moving(std::vector<Phase<D>>& particles, const Scene& scene) {
   for (Phase<D>& particle : particles) {
     if (!initial.velocity.empty()) particle.velocity += Eigen::Map<const Vector<D>>(initial.velocity.data());
     if (initial.shear_wave)
-      particle.velocity[0] += initial.shear_wave->amplitude *
-                              std::sin(2 * M_PI * initial.shear_wave->periods * particle.position[1] / scene.domain.size[1]);
+      particle.velocity[0] +=
+          initial.shear_wave->amplitude *
+          std::sin(2 * M_PI * initial.shear_wave->periods * particle.position[1] / scene.domain.size[1]);
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/run/setup.hpp"
+
+#include <vector>
 
 namespace sandglass {
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "sim/run/run.hpp"
+
 #include <chrono>
 #include <deque>
-
-#include "sim/run/run.hpp"
 
 namespace sandglass {
 

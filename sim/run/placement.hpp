@@ -1,10 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/base/random.hpp"
 #include "sim/method/simulator.hpp"
 #include "sim/scene/scene.hpp"
+
+#include <vector>
 
 namespace sandglass {
 

@@ -1,8 +1,8 @@
+#include "sim/run/time_step.hpp"
+
 #include <cmath>
 
 #include <fmt/format.h>
-
-#include "sim/run/time_step.hpp"
 
 namespace sandglass {
 
@@ -35,8 +35,8 @@ std::vector<Feature> features_of(const Scene& scene, const Setup<D>& setup) {
       {"trajectory", scene.output.trajectory.has_value()},
       {"checkpoints", scene.output.checkpoint.has_value()},
   };
-  for (const char* what : {"energy", "temperature", "momentum", "moments", "velocity-histogram", "collisions", "pressure",
-                           "crossings", "fields", "shear-mode"}) {
+  for (const char* what : {"energy", "temperature", "momentum", "moments", "velocity-histogram", "collisions",
+                           "pressure", "crossings", "fields", "shear-mode"}) {
     bool used = false;
     for (const ObserverSpec& spec : setup.observers) used |= spec.what == what;
     features.push_back({fmt::format("observer {}", what), used});
@@ -48,7 +48,8 @@ std::vector<Feature> features_of(const Scene& scene, const Setup<D>& setup) {
 template <int D>
 void expect_work(const Scene& scene, const Setup<D>& setup, Plan& plan) {
   const double rate = expected_collision_rate(scene, setup, scene.initial.temperature);
-  plan.time_step = scene.method.time_step.fixed.value_or(scene.method.time_step.collisions.value_or(0) / rate);
+  plan.time_step =
+      scene.method.time_step.fixed.value_or(scene.method.time_step.collisions.value_or(0) / rate);
   plan.collisions_per_particle_and_step = rate * plan.time_step;
   const Duration& duration = scene.run.duration;
   if (duration.time) plan.steps = *duration.time / plan.time_step;
@@ -61,14 +62,20 @@ void expect_work(const Scene& scene, const Setup<D>& setup, Plan& plan) {
 
 void warn(Plan& plan) {
   if (plan.cell_size_in_mean_free_paths > 1)
-    plan.warnings.push_back(fmt::format("cells are {:.2g} mean free paths wide: transport is smeared over more than a free path; lower 'method.cell-size'",
-                                        plan.cell_size_in_mean_free_paths));
+    plan.warnings.push_back(
+        fmt::format("cells are {:.2g} mean free paths wide: transport is smeared over more than a free path; "
+                    "lower 'method.cell-size'",
+                    plan.cell_size_in_mean_free_paths));
   if (plan.collisions_per_particle_and_step > 0.5)
-    plan.warnings.push_back(fmt::format("{:.2g} collisions per particle and step: moving and colliding no longer decouple; shorten 'method.time-step'",
-                                        plan.collisions_per_particle_and_step));
+    plan.warnings.push_back(
+        fmt::format("{:.2g} collisions per particle and step: moving and colliding no longer decouple; "
+                    "shorten 'method.time-step'",
+                    plan.collisions_per_particle_and_step));
   if (plan.particles_per_cell < 5)
-    plan.warnings.push_back(fmt::format("{:.2g} particles per cell: the same pairs meet again and again; widen the cells or lower 'method.weight'",
-                                        plan.particles_per_cell));
+    plan.warnings.push_back(
+        fmt::format("{:.2g} particles per cell: the same pairs meet again and again; widen the cells or "
+                    "lower 'method.weight'",
+                    plan.particles_per_cell));
 }
 
 template <int D>
@@ -78,7 +85,8 @@ Plan plan_of(const Scene& scene) {
   plan.method = scene.method.preset;
   plan.replicas = scene.run.replicas;
   plan.particles = setup.particles;
-  for (const Feature& feature : features_of(scene, setup)) (feature.used ? plan.used : plan.left_out).push_back(feature.name);
+  for (const Feature& feature : features_of(scene, setup))
+    (feature.used ? plan.used : plan.left_out).push_back(feature.name);
   if (is_reservoir(scene)) {
     plan.time_step = scene.method.time_step.fixed.value();
     plan.steps = scene.run.duration.time ? *scene.run.duration.time / plan.time_step
@@ -101,8 +109,6 @@ Plan plan_of(const Scene& scene) {
 
 }  // namespace
 
-Plan plan(const Scene& scene) {
-  return scene.domain.dimension == 2 ? plan_of<2>(scene) : plan_of<3>(scene);
-}
+Plan plan(const Scene& scene) { return scene.domain.dimension == 2 ? plan_of<2>(scene) : plan_of<3>(scene); }
 
 }  // namespace sandglass

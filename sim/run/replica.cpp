@@ -1,17 +1,18 @@
 #include "sim/run/replica.hpp"
 
+#include "sim/base/error.hpp"
+#include "sim/run/initial.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "sim/base/error.hpp"
-#include "sim/run/initial.hpp"
-
 namespace sandglass {
 
 template <int D>
-ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation, const Streams& streams)
+ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation,
+                          const Streams& streams)
     : scene_(scene),
       streams_(streams),
       planes_(make_planes(setup.observers)),
@@ -22,7 +23,8 @@ ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutat
   for (std::size_t i = 0; i < setup.observers.size(); ++i) {
     for (auto& observer : make_observers<D>(setup.observers[i], plane)) {
       Quantity quantity = observer->quantity();
-      watches_.push_back({std::move(observer), Schedule(scene.observe[i].cadence), {std::move(quantity), {}, {}, {}}});
+      watches_.push_back(
+          {std::move(observer), Schedule(scene.observe[i].cadence), {std::move(quantity), {}, {}, {}}});
     }
     plane += needs_of(setup.observers[i]).plane ? 1 : 0;
   }
@@ -46,7 +48,8 @@ void ReplicaRun<D>::step() {
   ++clock_.step;
   clock_.time = scene_.method.time_step.fixed ? static_cast<double>(clock_.step) * dt : clock_.time + dt;
   if (setup_.particles > 0)
-    clock_.collisions = 2 * static_cast<double>(simulator_->tally().collisions) / static_cast<double>(setup_.particles);
+    clock_.collisions =
+        2 * static_cast<double>(simulator_->tally().collisions) / static_cast<double>(setup_.particles);
   sample_what_is_due();
   if (clock_.step % 1'000'000 == 0) refuse_standstill();
 }
@@ -61,8 +64,10 @@ void ReplicaRun<D>::sample_what_is_due() {
 template <int D>
 void ReplicaRun<D>::refuse_standstill() const {
   if (scene_.run.duration.collisions && simulator_->tally().collisions == 0)
-    throw RunError(fmt::format("no collision in {} steps, and the run is to last {} collisions per particle; raise 'method.time-step' or give the duration as a time",
-                               clock_.step, *scene_.run.duration.collisions));
+    throw RunError(
+        fmt::format("no collision in {} steps, and the run is to last {} collisions per particle; raise "
+                    "'method.time-step' or give the duration as a time",
+                    clock_.step, *scene_.run.duration.collisions));
 }
 
 template <int D>
@@ -77,8 +82,10 @@ template <int D>
 void ReplicaRun<D>::sample(Watch& watch) {
   const std::vector<double> values = watch.observer->measure(view());
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
-    throw RunError(fmt::format("step {}, time {:.6g}, replica {}: '{}' is not a finite number; the state is broken (time step too long, or a force without bound?)",
-                               clock_.step, clock_.time, streams_.replica, watch.series.quantity.name));
+    throw RunError(
+        fmt::format("step {}, time {:.6g}, replica {}: '{}' is not a finite number; the state is broken "
+                    "(time step too long, or a force without bound?)",
+                    clock_.step, clock_.time, streams_.replica, watch.series.quantity.name));
   watch.series.step.push_back(clock_.step);
   watch.series.time.push_back(clock_.time);
   watch.series.value.insert(watch.series.value.end(), values.begin(), values.end());
@@ -112,7 +119,8 @@ State ReplicaRun<D>::save() {
   State state{clock_.step, clock_.time, frame(), {}, counters(), {}};
   state.memory["transfer"] = simulator_->tally().transfer.save();
   state.memory["time-step"] = stepper_.save();
-  for (std::size_t i = 0; i < planes_.size(); ++i) state.memory[fmt::format("plane-{}", i)] = planes_[i].save();
+  for (std::size_t i = 0; i < planes_.size(); ++i)
+    state.memory[fmt::format("plane-{}", i)] = planes_[i].save();
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     state.memory[fmt::format("observer-{}", i)] = watches_[i].observer->save();
     state.series.push_back(watches_[i].series);
@@ -138,7 +146,8 @@ void ReplicaRun<D>::load(const State& state) {
   clock_ = {state.step, state.time, 0};
   if (setup_.particles > 0)
     clock_.collisions = 2 * static_cast<double>(tally.collisions) / static_cast<double>(setup_.particles);
-  for (std::size_t i = 0; i < planes_.size(); ++i) planes_[i].load(state.memory.at(fmt::format("plane-{}", i)));
+  for (std::size_t i = 0; i < planes_.size(); ++i)
+    planes_[i].load(state.memory.at(fmt::format("plane-{}", i)));
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     watches_[i].observer->load(state.memory.at(fmt::format("observer-{}", i)));
     watches_[i].series = state.series.at(i);

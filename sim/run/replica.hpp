@@ -1,12 +1,12 @@
 #pragma once
 
+#include "sim/run/schedule.hpp"
+#include "sim/run/time_step.hpp"
+
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
-
-#include "sim/run/schedule.hpp"
-#include "sim/run/time_step.hpp"
 
 namespace sandglass {
 

@@ -1,14 +1,14 @@
 #include "sim/run/run.hpp"
 
-#include <chrono>
-#include <ctime>
-
-#include <fmt/format.h>
-
 #include "sim/record/provenance.hpp"
 #include "sim/run/estimates.hpp"
 #include "sim/run/pace.hpp"
 #include "sim/run/replica.hpp"
+
+#include <chrono>
+#include <ctime>
+
+#include <fmt/format.h>
 
 namespace sandglass {
 
@@ -96,9 +96,11 @@ class Runner {
   }
 
   void finish(ReplicaRun<D>& replica) {
-    record_.timings["peak-bytes"] = std::max(record_.timings["peak-bytes"], static_cast<double>(replica.bytes()));
+    record_.timings["peak-bytes"] =
+        std::max(record_.timings["peak-bytes"], static_cast<double>(replica.bytes()));
     if (setup_.particles > 0)
-      record_.timings["bytes-per-particle"] = static_cast<double>(replica.bytes()) / static_cast<double>(setup_.particles);
+      record_.timings["bytes-per-particle"] =
+          static_cast<double>(replica.bytes()) / static_cast<double>(setup_.particles);
     take_frames(record_, replica);
     moves_before_ += static_cast<double>(replica.moves());
     record_.replicas.push_back(replica.result());
@@ -126,9 +128,10 @@ class Runner {
 
   void report(ReplicaRun<D>& replica) {
     const Clock& clock = replica.clock();
-    const double done = static_cast<double>(record_.replicas.size()) + fraction_done(scene_.run.duration, clock);
-    pace_.report({done / static_cast<double>(scene_.run.replicas), 0, 0, record_.replicas.size(), clock.step, clock.time,
-                  clock.collisions},
+    const double done =
+        static_cast<double>(record_.replicas.size()) + fraction_done(scene_.run.duration, clock);
+    pace_.report({done / static_cast<double>(scene_.run.replicas), 0, 0, record_.replicas.size(), clock.step,
+                  clock.time, clock.collisions},
                  moves_before_ + static_cast<double>(replica.moves()));
   }
 

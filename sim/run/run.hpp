@@ -1,12 +1,12 @@
 #pragma once
 
+#include "sim/record/record.hpp"
+#include "sim/scene/scene.hpp"
+
 #include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "sim/record/record.hpp"
-#include "sim/scene/scene.hpp"
 
 namespace sandglass {
 
@@ -22,18 +22,18 @@ struct MutationInfo {
 const std::vector<MutationInfo>& mutations();
 
 struct Progress {
-  double fraction;            ///< of the whole run, 0 to 1
-  double moves_per_second;    ///< particle-moves
-  double seconds_left;        ///< from the mean of the last 20 rates
+  double fraction;          ///< of the whole run, 0 to 1
+  double moves_per_second;  ///< particle-moves
+  double seconds_left;      ///< from the mean of the last 20 rates
   std::uint64_t replica, step;
   double time, collisions_per_particle;
 };
 
 struct RunOptions {
   Mutation mutation;
-  std::string checkpoint_path;                        ///< empty: no checkpoints
-  std::function<void(const Progress&)> progress;      ///< called a few times a second at most; may be empty
-  const std::atomic<bool>* stop = nullptr;            ///< set by a signal: write a checkpoint, then throw Interrupted
+  std::string checkpoint_path;                    ///< empty: no checkpoints
+  std::function<void(const Progress&)> progress;  ///< called a few times a second at most; may be empty
+  const std::atomic<bool>* stop = nullptr;  ///< set by a signal: write a checkpoint, then throw Interrupted
 };
 
 /// The run was asked to stop; a checkpoint was written when a path was given.
@@ -58,7 +58,7 @@ struct Plan {
   double bytes_per_particle = 0;
   double steps = 0, particle_moves = 0, expected_collisions = 0;
   std::vector<std::string> columns, used, left_out;
-  std::vector<std::string> warnings;   ///< e.g. cells wider than a mean free path
+  std::vector<std::string> warnings;  ///< e.g. cells wider than a mean free path
 };
 Plan plan(const Scene& scene);
 

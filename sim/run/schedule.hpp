@@ -1,9 +1,9 @@
 #pragma once
 
+#include "sim/scene/scene.hpp"
+
 #include <cmath>
 #include <optional>
-
-#include "sim/scene/scene.hpp"
 
 namespace sandglass {
 
@@ -57,6 +57,8 @@ inline double fraction_done(const Duration& duration, const Clock& clock) {
   return clock.reading(end.unit) / end.every;
 }
 
-inline bool finished(const Duration& duration, const Clock& clock) { return fraction_done(duration, clock) * (1 + 1e-12) >= 1; }
+inline bool finished(const Duration& duration, const Clock& clock) {
+  return fraction_done(duration, clock) * (1 + 1e-12) >= 1;
+}
 
 }  // namespace sandglass

@@ -1,14 +1,14 @@
 #include "sim/run/setup.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "sim/base/error.hpp"
 #include "sim/method/reservoir/reservoir.hpp"
 #include "sim/physics/collision.hpp"
 #include "sim/run/mutation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 namespace sandglass {
 
@@ -21,16 +21,20 @@ template <int D>
 Grid<D> make_grid(const Scene& scene, std::uint64_t particles) {
   Vector<D> box;
   std::array<std::uint32_t, D> cells;
-  const double edge = scene.method.cell_size.value_or(
-      std::pow(volume(scene.domain) * kParticlesPerCell / static_cast<double>(std::max<std::uint64_t>(particles, 1)), 1.0 / D));
+  const double edge = scene.method.cell_size.value_or(std::pow(
+      volume(scene.domain) * kParticlesPerCell / static_cast<double>(std::max<std::uint64_t>(particles, 1)),
+      1.0 / D));
   double total = 1;
   for (std::size_t axis = 0; axis < D; ++axis) {
     box[static_cast<int>(axis)] = scene.domain.size[axis];
-    const double wanted = scene.method.cells.empty() ? std::max(1.0, std::round(scene.domain.size[axis] / edge))
-                                                     : static_cast<double>(scene.method.cells[axis]);
+    const double wanted = scene.method.cells.empty()
+                              ? std::max(1.0, std::round(scene.domain.size[axis] / edge))
+                              : static_cast<double>(scene.method.cells[axis]);
     total *= wanted;
     if (total > 2e9)
-      throw InputError(fmt::format("the scene asks for more than {:.3g} cells; raise 'method.cell-size' or lower 'method.cells'", total));
+      throw InputError(fmt::format(
+          "the scene asks for more than {:.3g} cells; raise 'method.cell-size' or lower 'method.cells'",
+          total));
     cells[axis] = static_cast<std::uint32_t>(wanted);
   }
   return Grid<D>(box, cells);
@@ -40,11 +44,15 @@ dsmc::Offset offset_of(const Scene& scene) {
   const Species& species = scene.species.front();
   const double d = species.diameter, r = species.restitution;
   switch (scene.method.offset) {
-    case Offset::none: return {};
-    case Offset::consistent: return {d, 0};
+    case Offset::none:
+      return {};
+    case Offset::consistent:
+      return {d, 0};
     // The offset carries m d r |c_n| a collision after the kick, hard cores carry m d (1 + r)/2 |c_n|.
-    case Offset::corrected: return {d * (1 + r) / (2 * r), 0};
-    case Offset::random: return {d, d * scene.method.random_offset};
+    case Offset::corrected:
+      return {d * (1 + r) / (2 * r), 0};
+    case Offset::random:
+      return {d, d * scene.method.random_offset};
   }
   return {};
 }
@@ -77,7 +85,8 @@ dsmc::MotionParameters<D> motion_of(const Scene& scene) {
 /// Crossings: five thermal speeds either side of the stream, with a bin edge at rest.
 std::array<double, 2> default_range(const Scene& scene, int axis) {
   const double thermal = std::sqrt(scene.initial.temperature / scene.species.front().mass);
-  const double stream = scene.initial.velocity.empty() ? 0 : scene.initial.velocity[static_cast<std::size_t>(axis)];
+  const double stream =
+      scene.initial.velocity.empty() ? 0 : scene.initial.velocity[static_cast<std::size_t>(axis)];
   const double edge = 5 * thermal + std::abs(stream);
   return {-edge, edge};
 }
@@ -97,7 +106,9 @@ ObserverSpec spec_of(const Scene& scene, const Observe& observe) {
 template <int D>
 void check_plane(const dsmc::MotionParameters<D>& motion, const ObserverSpec& spec) {
   if (motion.walled[static_cast<std::size_t>(spec.axis)])
-    throw InputError("the observer 'crossings' needs a plane normal to a periodic axis: walls turn particles back within a step");
+    throw InputError(
+        "the observer 'crossings' needs a plane normal to a periodic axis: walls turn particles back within "
+        "a step");
 }
 
 }  // namespace
@@ -133,15 +144,17 @@ reservoir::Parameters reservoir_of(const Scene& scene, const Setup<D>& setup) {
   reservoir::Parameters parameters;
   parameters.number_density = number_density(scene, scene.species.front());
   parameters.area = volume(scene.domain) / scene.domain.size[static_cast<std::size_t>(axis)];
-  parameters.stream = scene.initial.velocity.empty() ? 0 : scene.initial.velocity[static_cast<std::size_t>(axis)];
+  parameters.stream =
+      scene.initial.velocity.empty() ? 0 : scene.initial.velocity[static_cast<std::size_t>(axis)];
   parameters.thermal = std::sqrt(scene.initial.temperature / scene.species.front().mass);
   return parameters;
 }
 }  // namespace
 
 template <int D>
-std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>& setup, const Mutation& mutation,
-                                             const Streams& streams, std::vector<Plane>* planes) {
+std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>& setup,
+                                             const Mutation& mutation, const Streams& streams,
+                                             std::vector<Plane>* planes) {
   if (is_reservoir(scene)) {
     reservoir::Parameters parameters = reservoir_of(scene, setup);
     plant(mutation, parameters.faults);
@@ -149,14 +162,15 @@ std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>&
   }
   dsmc::MotionParameters<D> motion = setup.motion;
   motion.planes = planes;
-  return std::make_unique<dsmc::Dsmc<D>>(setup.grid, setup.parameters, motion, streams, Purpose::collisions, scene.output.ids);
+  return std::make_unique<dsmc::Dsmc<D>>(setup.grid, setup.parameters, motion, streams, Purpose::collisions,
+                                         scene.output.ids);
 }
 
 template Setup<2> set_up<2>(const Scene&, const Mutation&);
 template Setup<3> set_up<3>(const Scene&, const Mutation&);
-template std::unique_ptr<Simulator<2>> make_simulator(const Scene&, const Setup<2>&, const Mutation&, const Streams&,
-                                                      std::vector<Plane>*);
-template std::unique_ptr<Simulator<3>> make_simulator(const Scene&, const Setup<3>&, const Mutation&, const Streams&,
-                                                      std::vector<Plane>*);
+template std::unique_ptr<Simulator<2>> make_simulator(const Scene&, const Setup<2>&, const Mutation&,
+                                                      const Streams&, std::vector<Plane>*);
+template std::unique_ptr<Simulator<3>> make_simulator(const Scene&, const Setup<3>&, const Mutation&,
+                                                      const Streams&, std::vector<Plane>*);
 
 }  // namespace sandglass

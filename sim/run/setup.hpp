@@ -1,11 +1,11 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "sim/method/dsmc/dsmc.hpp"
 #include "sim/observe/observer.hpp"
 #include "sim/run/run.hpp"
+
+#include <memory>
+#include <vector>
 
 namespace sandglass {
 
@@ -27,8 +27,9 @@ bool is_reservoir(const Scene& scene);
 
 /// The method of the scene, ready to take particles. `planes` must outlive it.
 template <int D>
-std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>& setup, const Mutation& mutation,
-                                             const Streams& streams, std::vector<Plane>* planes);
+std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>& setup,
+                                             const Mutation& mutation, const Streams& streams,
+                                             std::vector<Plane>* planes);
 
 /// One plane per observer that needs one, in order.
 std::vector<Plane> make_planes(const std::vector<ObserverSpec>& observers);

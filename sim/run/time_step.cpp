@@ -1,20 +1,21 @@
 #include "sim/run/time_step.hpp"
 
+#include "sim/base/error.hpp"
+#include "sim/observe/sums.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
-
-#include "sim/base/error.hpp"
-#include "sim/observe/sums.hpp"
 
 namespace sandglass {
 
 template <int D>
 double expected_collision_rate(const Scene& scene, const Setup<D>& setup, double temperature) {
   const Species& species = scene.species.front();
-  const double contact =
-      setup.parameters.factor.formula == nullptr ? 1 : setup.parameters.factor.formula(fraction(scene, species)).value;
+  const double contact = setup.parameters.factor.formula == nullptr
+                             ? 1
+                             : setup.parameters.factor.formula(fraction(scene, species)).value;
   const double mean_speed = std::sqrt((D == 2 ? M_PI / 2 : 8 / M_PI) * temperature / species.mass);
   return M_SQRT2 * number_density(scene, species) * setup.parameters.cross_section * contact * mean_speed;
 }
@@ -27,8 +28,10 @@ TimeStepper<D>::TimeStepper(const Scene& scene, const Setup<D>& setup) {
   wanted_ = step.collisions.value();
   rate_at_one_ = expected_collision_rate(scene, setup, 1);
   // Without a drive the temperature falls by (1 - r^2)/D per collision of each particle: look again every half per cent.
-  const double loss = (1 - scene.species.front().restitution * scene.species.front().restitution) / D * wanted_;
-  if (scene.gravity.empty()) refresh_ = static_cast<std::uint64_t>(std::clamp(0.005 / std::max(loss, 1e-9), 1.0, 100.0));
+  const double loss =
+      (1 - scene.species.front().restitution * scene.species.front().restitution) / D * wanted_;
+  if (scene.gravity.empty())
+    refresh_ = static_cast<std::uint64_t>(std::clamp(0.005 / std::max(loss, 1e-9), 1.0, 100.0));
 }
 
 template <int D>
@@ -38,7 +41,9 @@ double TimeStepper<D>::next(const View<D>& view, std::uint64_t step) {
     const double temperature = temperatures(view).mean();
     current_ = wanted_ / (rate_at_one_ * std::sqrt(temperature));
     if (!(temperature > 0) || !std::isfinite(current_))
-      throw RunError(fmt::format("step {}: granular temperature {} gives no time step; give 'method.time-step' as a time", step, temperature));
+      throw RunError(fmt::format(
+          "step {}: granular temperature {} gives no time step; give 'method.time-step' as a time", step,
+          temperature));
   }
   return current_;
 }

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "sim/base/vector.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
-
-#include "sim/base/vector.hpp"
 
 namespace sandglass {
 

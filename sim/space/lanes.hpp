@@ -28,7 +28,9 @@ struct Lanes : LaneTypes<D> {
     std::memcpy(&lanes, components, sizeof lanes);
     return lanes;
   }
-  static void store(double* components, const Real& lanes) { std::memcpy(components, &lanes, D * sizeof(double)); }
+  static void store(double* components, const Real& lanes) {
+    std::memcpy(components, &lanes, D * sizeof(double));
+  }
 
   /// The lane without meaning gets `rest`.
   template <class Source>

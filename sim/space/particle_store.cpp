@@ -1,10 +1,10 @@
 #include "sim/space/particle_store.hpp"
 
+#include "sim/base/error.hpp"
+
 #include <limits>
 #include <numeric>
 #include <string>
-
-#include "sim/base/error.hpp"
 
 namespace sandglass {
 
@@ -49,8 +49,8 @@ void ParticleStore<D>::assign(std::span<const Phase<D>> particles, std::span<con
 template <int D>
 std::size_t ParticleStore<D>::bytes() const {
   return (phase_.capacity() + next_phase_.capacity()) * sizeof(Phase<D>) +
-         (id_.capacity() + next_id_.capacity()) * sizeof(std::uint64_t) +
-         place_.capacity() * sizeof(Place) + (offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t);
+         (id_.capacity() + next_id_.capacity()) * sizeof(std::uint64_t) + place_.capacity() * sizeof(Place) +
+         (offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t);
 }
 
 template class ParticleStore<2>;

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "sim/space/grid.hpp"
+#include "sim/space/huge_page_allocator.hpp"
+
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
-
-#include "sim/space/grid.hpp"
-#include "sim/space/huge_page_allocator.hpp"
 
 namespace sandglass {
 
@@ -24,7 +24,8 @@ using Column = std::vector<T, HugePageAllocator<T>>;
 template <int D>
 class ParticleStore {
  public:
-  ParticleStore(const Grid<D>& grid, bool keep_ids) : grid_(grid), keep_ids_(keep_ids), offset_(grid.size() + 1) {}
+  ParticleStore(const Grid<D>& grid, bool keep_ids)
+      : grid_(grid), keep_ids_(keep_ids), offset_(grid.size() + 1) {}
 
   const Grid<D>& grid() const { return grid_; }
   std::size_t size() const { return phase_.size(); }

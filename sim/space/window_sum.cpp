@@ -6,7 +6,8 @@
 namespace sandglass {
 
 template <int D>
-WindowSum<D>::WindowSum(const Grid<D>& grid, const std::array<bool, D>& periodic, double particles_per_cell, double wanted)
+WindowSum<D>::WindowSum(const Grid<D>& grid, const std::array<bool, D>& periodic, double particles_per_cell,
+                        double wanted)
     : grid_(grid), periodic_(periodic), sum_(grid.size()), scratch_(grid.size()) {
   std::uint32_t longest = 1;
   for (int axis = 0; axis < D; ++axis) longest = std::max(longest, grid.cells(axis));
@@ -15,7 +16,8 @@ WindowSum<D>::WindowSum(const Grid<D>& grid, const std::array<bool, D>& periodic
     for (int axis = 0; axis < D; ++axis) cells *= std::min<double>(2.0 * half + 1, grid.cells(axis));
     return cells * particles_per_cell;
   };
-  while (held(half_width_) < wanted && static_cast<std::uint32_t>(2 * half_width_ + 1) < longest) ++half_width_;
+  while (held(half_width_) < wanted && static_cast<std::uint32_t>(2 * half_width_ + 1) < longest)
+    ++half_width_;
 
   std::fill(sum_.begin(), sum_.end(), 1.0f);
   for (int axis = 0; axis < D; ++axis) sum_along(axis);
@@ -37,12 +39,14 @@ void WindowSum<D>::sum_along(int axis) {
   const std::size_t count = grid_.cells(axis), slab = stride * count;
   for (std::size_t base = 0; base < sum_.size(); base += slab)
     for (std::size_t lane = 0; lane < stride; ++lane)
-      sum_line(&sum_[base + lane], &scratch_[base + lane], count, stride, periodic_[static_cast<std::size_t>(axis)]);
+      sum_line(&sum_[base + lane], &scratch_[base + lane], count, stride,
+               periodic_[static_cast<std::size_t>(axis)]);
   sum_.swap(scratch_);
 }
 
 template <int D>
-void WindowSum<D>::sum_line(const float* line, float* out, std::size_t count, std::size_t stride, bool periodic) const {
+void WindowSum<D>::sum_line(const float* line, float* out, std::size_t count, std::size_t stride,
+                            bool periodic) const {
   const auto half = static_cast<std::size_t>(half_width_);
   const bool whole = 2 * half + 1 >= count;
   float running = 0;

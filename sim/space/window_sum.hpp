@@ -1,11 +1,11 @@
 #pragma once
 
+#include "sim/space/grid.hpp"
+
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "sim/space/grid.hpp"
 
 namespace sandglass {
 
@@ -15,7 +15,8 @@ template <int D>
 class WindowSum {
  public:
   /// The smallest window that holds at least `wanted` particles on average, or the whole box.
-  WindowSum(const Grid<D>& grid, const std::array<bool, D>& periodic, double particles_per_cell, double wanted);
+  WindowSum(const Grid<D>& grid, const std::array<bool, D>& periodic, double particles_per_cell,
+            double wanted);
 
   /// `offsets` as of ParticleStore. Afterwards sum(c) and cells(c) describe the window of cell c.
   void update(std::span<const std::uint32_t> offsets);
@@ -24,7 +25,9 @@ class WindowSum {
   /// Cells in the window of a cell.
   double cells(std::uint32_t cell) const { return extent_[cell]; }
   int half_width() const { return half_width_; }
-  std::size_t bytes() const { return (sum_.capacity() + scratch_.capacity() + extent_.capacity()) * sizeof(float); }
+  std::size_t bytes() const {
+    return (sum_.capacity() + scratch_.capacity() + extent_.capacity()) * sizeof(float);
+  }
 
  private:
   void sum_along(int axis);

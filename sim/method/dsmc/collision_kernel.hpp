@@ -1,12 +1,12 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "sim/method/dsmc/collision_stage.hpp"
 #include "sim/method/dsmc/policies.hpp"
 #include "sim/space/lanes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace sandglass::dsmc {
 
@@ -23,7 +23,8 @@ class VelocityBox {
   VelocityBox(const Phase<D>* particles, std::uint32_t count) : low_(velocity_of(particles[0])), high_(low_) {
     const std::uint32_t last = std::max(count, 1u) - 1;
     for (std::uint32_t i = 0; i <= last; i += 8)
-      for (std::uint32_t lane = 0; lane < 8; ++lane) include(velocity_of(particles[std::min(i + lane, last)]));
+      for (std::uint32_t lane = 0; lane < 8; ++lane)
+        include(velocity_of(particles[std::min(i + lane, last)]));
   }
   void include(const Real& velocity) {
     low_ = velocity < low_ ? velocity : low_;
@@ -52,7 +53,8 @@ struct Pair {
 /// Two different particles of `count`, each ordered pair alike; 32 bits each (bias below count / 2^32).
 inline Pair draw_pair(std::uint32_t count, Random& random) {
   const std::uint64_t bits = random.bits();
-  const auto first = static_cast<std::uint32_t>((static_cast<std::uint64_t>(static_cast<std::uint32_t>(bits)) * count) >> 32);
+  const auto first = static_cast<std::uint32_t>(
+      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(bits)) * count) >> 32);
   const auto other = static_cast<std::uint32_t>(((bits >> 32) * (count - 1)) >> 32);
   return {first, other + (other >= first)};
 }
@@ -64,7 +66,8 @@ class CollisionKernel final : public CollisionStage<D> {
   explicit CollisionKernel(const Parameters& parameters)
       : selection_(parameters), displacement_(parameters.offset), mass_(parameters.mass) {}
 
-  void collide(const CollisionStep<D>& step, std::uint32_t first_cell, std::uint32_t last_cell) const override {
+  void collide(const CollisionStep<D>& step, std::uint32_t first_cell,
+               std::uint32_t last_cell) const override {
     std::array<Task, kBatch> tasks;
     for (std::uint32_t first = first_cell; first < last_cell; first += kBatch) {
       const std::size_t count = prepare(step, first, std::min(first + kBatch, last_cell), tasks.data());
@@ -86,7 +89,8 @@ class CollisionKernel final : public CollisionStage<D> {
 
   /// Draws the number of candidates of each cell. Apart from the collisions, whose branches nobody can guess, since the
   /// long chain from velocities to the number then overlaps from cell to cell.
-  std::size_t prepare(const CollisionStep<D>& step, std::uint32_t first, std::uint32_t last, Task* tasks) const {
+  std::size_t prepare(const CollisionStep<D>& step, std::uint32_t first, std::uint32_t last,
+                      Task* tasks) const {
     std::size_t count = 0;
     for (std::uint32_t cell = first; cell < last; ++cell) {
       const std::uint32_t begin = step.offsets[cell], particles = step.offsets[cell + 1] - begin;
@@ -136,7 +140,8 @@ class CollisionKernel final : public CollisionStage<D> {
   }
 
   /// Returns the momentum times distance that the offset carries.
-  double collide_pair(Phase<D>& one, Phase<D>& two, const Vector<D>& relative, double square_speed, Random& random) const {
+  double collide_pair(Phase<D>& one, Phase<D>& two, const Vector<D>& relative, double square_speed,
+                      Random& random) const {
     const Vector<D> change =
         selection_.template kick<D>(one.velocity, two.velocity, relative, square_speed, random);
     if constexpr (Displacement::moves) {
@@ -158,7 +163,8 @@ std::unique_ptr<CollisionStage<D>> make_kernel(const Parameters& parameters) {
   const bool factor = parameters.factor.formula != nullptr;
   if constexpr (Displacement::moves) {
     if (parameters.measure_transfer) {
-      if (factor) return std::make_unique<CollisionKernel<D, Selection, Displacement, true, true>>(parameters);
+      if (factor)
+        return std::make_unique<CollisionKernel<D, Selection, Displacement, true, true>>(parameters);
       return std::make_unique<CollisionKernel<D, Selection, Displacement, false, true>>(parameters);
     }
   }

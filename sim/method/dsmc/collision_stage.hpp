@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-
 #include "sim/base/random.hpp"
 #include "sim/method/dsmc/parameters.hpp"
 #include "sim/observe/tally.hpp"
 #include "sim/space/particle_store.hpp"
+
+#include <cstdint>
+#include <memory>
 
 namespace sandglass::dsmc {
 
@@ -14,8 +14,9 @@ namespace sandglass::dsmc {
 template <int D>
 struct CollisionStep {
   StreamKey key;
-  double coefficient;        ///< weight sigma dt / (2 V_cell): candidates per ordered pair and unit of relative speed
-  const double* factor;      ///< contact factor of each cell; null without
+  double
+      coefficient;  ///< weight sigma dt / (2 V_cell): candidates per ordered pair and unit of relative speed
+  const double* factor;  ///< contact factor of each cell; null without
   Phase<D>* particles;
   const std::uint32_t* offsets;
   Tally* tally;
@@ -26,7 +27,8 @@ template <int D>
 class CollisionStage {
  public:
   virtual ~CollisionStage() = default;
-  virtual void collide(const CollisionStep<D>& step, std::uint32_t first_cell, std::uint32_t last_cell) const = 0;
+  virtual void collide(const CollisionStep<D>& step, std::uint32_t first_cell,
+                       std::uint32_t last_cell) const = 0;
 };
 
 template <int D>

@@ -30,14 +30,16 @@ template <int D>
 void Dsmc<D>::assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids) {
   store_.assign(particles, ids);
   if (parameters_.factor.formula != nullptr)
-    factor_.emplace(parameters_, store_.grid(), periodic_axes(motion_parameters_), static_cast<double>(particles.size()));
+    factor_.emplace(parameters_, store_.grid(), periodic_axes(motion_parameters_),
+                    static_cast<double>(particles.size()));
 }
 
 template <int D>
 void Dsmc<D>::step(double dt, std::uint64_t step) {
   const StreamKey key(streams_.seed, purpose_, streams_.replica, step);
   if (factor_) factor_->update(store_.offsets());
-  const double coefficient = parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
+  const double coefficient =
+      parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
   collide_and_move(dt, {key, coefficient, factor_ ? factor_->values() : nullptr, store_.phases().data(),
                         store_.offsets().data(), &tally_});
   store_.sort();

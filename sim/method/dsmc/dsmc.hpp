@@ -1,12 +1,12 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-
 #include "sim/method/dsmc/collision_stage.hpp"
 #include "sim/method/dsmc/local_factor.hpp"
 #include "sim/method/dsmc/motion_stage.hpp"
 #include "sim/method/simulator.hpp"
+
+#include <memory>
+#include <optional>
 
 namespace sandglass::dsmc {
 
@@ -16,8 +16,8 @@ template <int D>
 class Dsmc final : public Simulator<D> {
  public:
   /// `purpose` names the streams of the collisions; ids are kept only if asked for.
-  Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion, const Streams& streams,
-       Purpose purpose = Purpose::collisions, bool keep_ids = false);
+  Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion,
+       const Streams& streams, Purpose purpose = Purpose::collisions, bool keep_ids = false);
 
   void assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids = {}) override;
   void step(double dt, std::uint64_t step) override;

@@ -17,7 +17,8 @@ LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const Gr
                                           const std::array<bool, D>& periodic, double particles)
     : formula_(parameters.factor.formula),
       smoothed_(parameters.factor.smoothed),
-      fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) / grid.cell_volume()),
+      fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) /
+                             grid.cell_volume()),
       densest_(D == 2 ? M_PI / std::sqrt(12.0) : M_PI / std::sqrt(18.0)),
       window_(grid, periodic, particles / grid.size(), smoothed_ ? kWindowParticles : 0),
       factor_(grid.size()) {}
@@ -34,8 +35,9 @@ template <int D>
 void LocalContactFactor<D>::update(std::span<const std::uint32_t> offsets) {
   window_.update(offsets);
   for (std::uint32_t cell = 0; cell < factor_.size(); ++cell)
-    factor_[cell] = smoothed_ ? smoothed(cell)
-                              : formula_(std::min(window_.sum(cell) * fraction_per_particle_, densest_)).value;
+    factor_[cell] = smoothed_
+                        ? smoothed(cell)
+                        : formula_(std::min(window_.sum(cell) * fraction_per_particle_, densest_)).value;
 }
 
 template class LocalContactFactor<2>;

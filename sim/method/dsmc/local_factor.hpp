@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "sim/method/dsmc/parameters.hpp"
 #include "sim/space/particle_store.hpp"
 #include "sim/space/window_sum.hpp"
+
+#include <array>
+#include <vector>
 
 namespace sandglass::dsmc {
 
@@ -19,7 +19,8 @@ namespace sandglass::dsmc {
 template <int D>
 class LocalContactFactor {
  public:
-  LocalContactFactor(const Parameters& parameters, const Grid<D>& grid, const std::array<bool, D>& periodic, double particles);
+  LocalContactFactor(const Parameters& parameters, const Grid<D>& grid, const std::array<bool, D>& periodic,
+                     double particles);
 
   void update(std::span<const std::uint32_t> offsets);
   const double* values() const { return factor_.data(); }

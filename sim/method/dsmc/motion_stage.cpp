@@ -64,7 +64,8 @@ class MotionKernel final : public MotionStage<D> {
   using Lane = Lanes<D>;
 
   /// Free flight where it ends in the box, which is nearly always; else axis by axis with the boundaries.
-  typename Lane::Real fly(Phase<D>& particle, const FreeFlight<D>& flight, const Vector<D>& box, double dt) const {
+  typename Lane::Real fly(Phase<D>& particle, const FreeFlight<D>& flight, const Vector<D>& box,
+                          double dt) const {
     double* components = particle.position.data();
     if constexpr (Sides == Walls::specular) {
       if (Gravity || parameters_.offsets) return fly_bounded(particle, box, dt);
@@ -78,7 +79,8 @@ class MotionKernel final : public MotionStage<D> {
     return position;
   }
 
-  [[gnu::noinline]] typename Lane::Real fly_bounded(Phase<D>& particle, const Vector<D>& box, double dt) const {
+  [[gnu::noinline]] typename Lane::Real fly_bounded(Phase<D>& particle, const Vector<D>& box,
+                                                    double dt) const {
     for (int axis = 0; axis < D; ++axis) fly_along(particle, axis, box[axis], dt);
     return Lane::from(particle.position, 0);
   }

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "sim/observe/plane.hpp"
+#include "sim/space/particle_store.hpp"
+
 #include <array>
 #include <memory>
 #include <vector>
-
-#include "sim/observe/plane.hpp"
-#include "sim/space/particle_store.hpp"
 
 namespace sandglass::dsmc {
 
@@ -13,8 +13,8 @@ namespace sandglass::dsmc {
 template <int D>
 struct MotionParameters {
   Vector<D> gravity = Vector<D>::Zero();
-  std::array<bool, D> walled{};      ///< per axis: specular walls at both ends, else periodic
-  bool offsets = false;              ///< collisions may have put particles outside the walls
+  std::array<bool, D> walled{};  ///< per axis: specular walls at both ends, else periodic
+  bool offsets = false;          ///< collisions may have put particles outside the walls
   std::vector<Plane>* planes = nullptr;
 };
 

@@ -7,7 +7,7 @@ namespace sandglass::dsmc {
 /// Displacement of the partners of a collision along their own momentum change.
 struct Offset {
   double consistent = 0;  ///< length along the momentum change
-  double random = 0;      ///< length of an extra displacement of random direction, opposite for the two partners
+  double random = 0;  ///< length of an extra displacement of random direction, opposite for the two partners
   bool any() const { return consistent != 0 || random != 0; }
 };
 
@@ -19,11 +19,11 @@ struct LocalFactor {
 
 /// Faults that the mutant suite plants; all at their honest values otherwise.
 struct Faults {
-  double bound = 1;                  ///< factor on the bound of relative speeds
-  double momentum_leak = 0;          ///< relative shortfall of the second partner's kick
-  double impact = 1;                 ///< factor on the impact parameter
+  double bound = 1;          ///< factor on the bound of relative speeds
+  double momentum_leak = 0;  ///< relative shortfall of the second partner's kick
+  double impact = 1;         ///< factor on the impact parameter
   bool acceptance_inverted = false;
-  bool fraction_truncated = false;   ///< drops the fractional candidate
+  bool fraction_truncated = false;  ///< drops the fractional candidate
   bool any() const {
     return bound != 1 || momentum_leak != 0 || impact != 1 || acceptance_inverted || fraction_truncated;
   }

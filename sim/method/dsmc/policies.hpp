@@ -73,14 +73,15 @@ struct Faulty {
     return faults.fraction_truncated ? static_cast<std::uint64_t>(expected) : honest.whole(expected, random);
   }
   bool accepts(double square_speed, double square_bound, double uniform) const {
-    return square_speed > 0 && honest.accepts(square_speed, square_bound, uniform) != faults.acceptance_inverted;
+    return square_speed > 0 &&
+           honest.accepts(square_speed, square_bound, uniform) != faults.acceptance_inverted;
   }
   template <int D>
   Vector<D> kick(Vector<D>& velocity_1, Vector<D>& velocity_2, const Vector<D>& relative, double square_speed,
                  Random& random) const {
     const Vector<D> before_1 = velocity_1, before_2 = velocity_2;
-    const Vector<D> normal =
-        contact_normal(relative, 1 / std::sqrt(square_speed), Vector<D - 1>(faults.impact * uniform_impact<D>(random)));
+    const Vector<D> normal = contact_normal(relative, 1 / std::sqrt(square_speed),
+                                            Vector<D - 1>(faults.impact * uniform_impact<D>(random)));
     SmoothInelastic{honest.restitution}(velocity_1, velocity_2, normal);
     velocity_2 += faults.momentum_leak * (before_2 - velocity_2);
     return velocity_1 - before_1;
