@@ -8,14 +8,14 @@ namespace sandglass {
 /// Coordinate in [0, length) of a point of the line with period `length`.
 inline double wrap(double x, double length, double per_length) {
   x -= length * std::floor(x * per_length);
-  return x < length ? x : 0.0;  // -1e-20 + length rounds to length
+  return x >= 0 && x < length ? x : 0.0;  // rounding: -1e-20 + length is length
 }
 
 /// Coordinate in [0, length] of a point mirrored at both ends as often as needed.
 inline double mirror(double x, double length) {
   x = std::fabs(x);
   x -= 2 * length * std::floor(x / (2 * length));
-  return std::min(x, 2 * length - x);
+  return std::max(0.0, std::min(x, 2 * length - x));  // rounding, many lengths away
 }
 
 /// Flight between specular walls at 0 and `length` without a force.
@@ -39,23 +39,28 @@ inline double time_to_wall(double x, double v, double a, double wall, double out
   return pull > 0 ? (root - speed) / pull : HUGE_VAL;
 }
 
-/// Exact flight under constant acceleration between specular walls at 0 and `length`.
+/// Exact flight under constant acceleration between specular walls at 0 and `length`. From the first wall on the motion is
+/// periodic: any number of bounces costs as much as two.
 inline void fall_between_walls(double& x, double& velocity, double acceleration, double dt, double length) {
-  for (int bounces = 0; bounces < 1000; ++bounces) {
-    const double low = time_to_wall(x, velocity, acceleration, 0, -1);
-    const double high = time_to_wall(x, velocity, acceleration, length, 1);
-    const double hit = std::min(low, high);
-    if (hit >= dt) break;
+  const double low = time_to_wall(x, velocity, acceleration, 0, -1);
+  const double high = time_to_wall(x, velocity, acceleration, length, 1);
+  if (const double hit = std::min(low, high); hit < dt) {
     velocity = -(velocity + acceleration * hit);
     x = low < high ? 0 : length;
-    dt -= hit;
-    // At rest on the wall that it is pressed to: bounces without height take no time.
-    if (hit == 0 && std::fabs(velocity) * 2 <= std::fabs(acceleration) * dt * 1e-12) {
+    const double across = time_to_wall(x, velocity, acceleration, length - x, low < high ? 1 : -1);
+    const double period = 2 * (across < HUGE_VAL ? across : std::fabs(velocity / acceleration));
+    if (!(period > 0)) {  // at rest on the wall that it is pressed to
       velocity = 0;
       return;
     }
+    dt = std::fmod(dt - hit, period);
+    if (dt > across) {
+      velocity = -(velocity + acceleration * across);
+      x = length - x;
+      dt -= across;
+    }
   }
-  x = std::clamp(x + dt * (velocity + 0.5 * acceleration * dt), 0.0, length);
+  x = std::max(0.0, std::min(length, x + dt * (velocity + 0.5 * acceleration * dt)));
   velocity += acceleration * dt;
 }
 
