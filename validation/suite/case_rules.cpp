@@ -33,6 +33,11 @@ class Rules {
   void point(const std::string& word, const std::string& path) { known("point", word, points_, path); }
   void variant(const std::string& word, const std::string& path) { known("variant", word, variants_, path); }
   void check(const std::string& word, const std::string& path) { known("check", word, checks_, path); }
+  void numbers(const CheckUse& use, const std::string& path) {
+    if (std::find(checks_.begin(), checks_.end(), use.check) == checks_.end()) return;
+    const std::vector<std::string> allowed = names_of(find_check(use.check).parameters);
+    for (const auto& [name, value] : use.settings.numbers) known("number", name, allowed, path + "." + name);
+  }
   void mutation(const std::string& word, const std::string& path) {
     known("mutation", word, mutations_, path);
   }
@@ -63,6 +68,7 @@ void check_uses(const Case& subject, Rules& rules) {
     const CheckUse& use = subject.checks[i];
     const std::string path = item_path("check", i);
     rules.check(use.check, path + ".check");
+    rules.numbers(use, path + ".numbers");
     rules.selection(use.where, path);
     for (std::size_t j = 0; j < use.limits.size(); ++j)
       rules.selection(use.limits[j].where, item_path(path + ".known-limit", j));

@@ -1,0 +1,79 @@
+#include "sim/base/error.hpp"
+#include "validation/suite/matrix.hpp"
+#include "validation/suite/synthetic_case.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sandglass {
+namespace {
+
+using testing::HasSubstr;
+
+std::string faults_of(const SyntheticCase& files) {
+  try {
+    for (const std::string& tier : tier_names()) expand(read_case(files.folder().string()), tier, "");
+  } catch (const InputError& error) {
+    std::string text;
+    for (const Diagnostic& diagnostic : error.diagnostics()) text += diagnostic.text() + "\n";
+    return text;
+  }
+  return "";
+}
+
+TEST(ReadCase, ReadsWhatStandsThere) {
+  const SyntheticCase files(
+      "numbers = {}\nresolution = 0.5\n[[tier]]\nname = \"smoke\"\n[[tier.change]]\nset.run.seed = 9\n");
+  const Case subject = read_case(files.folder().string());
+  EXPECT_EQ(subject.name, "small");
+  EXPECT_EQ(subject.checks.at(0).settings.resolution, 0.5);
+  EXPECT_EQ(expand(subject, "standard", "").at(0).scene.run.seed, 3U);
+  EXPECT_EQ(expand(subject, "smoke", "").at(0).scene.run.seed, 9U);
+}
+
+TEST(ReadCase, UnknownKeyHasItsPlaceAndTheNearestSpelling) {
+  EXPECT_THAT(faults_of(SyntheticCase("resolutoin = 0.5\n")),
+              testing::AllOf(HasSubstr("case.toml:12:1"), HasSubstr("did you mean 'resolution'")));
+}
+
+TEST(ReadCase, NamesThatNameNothingAreRefusedAllAtOnce) {
+  const std::string faults =
+      faults_of(SyntheticCase("points = [\"on\"]\n[[mutant]]\nmutation = \"bound-halvd\"\ncheck = "
+                              "\"energy-conservation\"\nvariant = \"dsmc\"\n"
+                              "point = \"one\"\n"));
+  EXPECT_THAT(faults, HasSubstr("unknown point 'on'"));
+  EXPECT_THAT(faults, HasSubstr("did you mean 'bound-halved'"));
+}
+
+TEST(ReadCase, UnknownCheckNumberIsRefused) {
+  EXPECT_THAT(faults_of(SyntheticCase("numbers = { settle = 3 }\n")), HasSubstr("'settle'"));
+}
+
+TEST(ReadCase, MisspeltOverrideIsPlacedWhereItStands) {
+  const std::string faults = faults_of(SyntheticCase("", "set.species.restituton = 0.9"));
+  EXPECT_THAT(faults, testing::AllOf(HasSubstr("case.toml:7:"), HasSubstr("did you mean 'restitution'")));
+}
+
+TEST(ReadCase, OverrideOutOfRangeIsPlacedWhereItStands) {
+  EXPECT_THAT(faults_of(SyntheticCase("", "set.species = { restitution = 1.2 }")), HasSubstr("case.toml:7:"));
+}
+
+TEST(ReadCase, EveryCommittedCaseCanRunInEveryTier) {
+  const std::vector<Case> cases = read_cases(SANDGLASS_SOURCE_DIR "/validation/case");
+  EXPECT_GE(cases.size(), 4U);
+  for (const Case& subject : cases)
+    for (const std::string& tier : tier_names())
+      EXPECT_FALSE(expand(subject, tier, "").empty()) << subject.name;
+}
+
+TEST(ReadCase, EveryCheckThatACaseMakesHasAMutant) {
+  for (const Case& subject : read_cases(SANDGLASS_SOURCE_DIR "/validation/case"))
+    for (const CheckUse& use : subject.checks) {
+      const auto same = [&](const Mutant& mutant) { return mutant.check == use.check; };
+      EXPECT_TRUE(std::any_of(subject.mutants.begin(), subject.mutants.end(), same))
+          << subject.name << " " << use.check;
+    }
+}
+
+}  // namespace
+}  // namespace sandglass

@@ -1,0 +1,120 @@
+#include "validation/suite/suite.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/run/run.hpp"
+#include "validation/suite/pool.hpp"
+#include "validation/suite/synthetic_case.hpp"
+
+#include <atomic>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace sandglass {
+namespace {
+
+constexpr const char* mutant =
+    "[[mutant]]\nmutation = \"restitution-minus-2-percent\"\ncheck = \"energy-conservation\"\nvariant = "
+    "\"dsmc\"\n"
+    "point = \"one\"\n";
+
+SuiteOptions options_of(const SyntheticCase& files) {
+  SuiteOptions options;
+  options.case_folder = files.root().string();
+  options.output = (files.root() / "report").string();
+  options.jobs = 2;
+  return options;
+}
+
+nlohmann::json read_json(const SyntheticCase& files, const std::string& name) {
+  std::ifstream file(files.root() / "report" / name);
+  return nlohmann::json::parse(file);
+}
+
+TEST(Suite, FillsTheReportFolder) {
+  const SyntheticCase files(mutant);
+  const SuiteResult result = run_suite(options_of(files));
+  EXPECT_FALSE(result.blocked());
+  const nlohmann::json verdicts = read_json(files, "verdicts.json");
+  ASSERT_EQ(verdicts.size(), 1U);
+  EXPECT_EQ(verdicts[0]["verdict"], "pass");
+  EXPECT_EQ(verdicts[0]["seed"], 3);
+  const nlohmann::json evidence = read_json(files, "evidence/small.json");
+  EXPECT_EQ(evidence["readme"], "# Small\n");
+  EXPECT_GT(evidence["runs"][0]["work"], 0);
+  EXPECT_TRUE(
+      std::filesystem::exists(files.root() / "report" / evidence["runs"][0]["record"].get<std::string>()));
+  EXPECT_TRUE(read_json(files, "sweeps.json").empty());
+}
+
+TEST(Suite, ResultDoesNotDependOnThreads) {
+  const SyntheticCase files(
+      "[[check]]\ncheck = \"momentum-conservation\"\n[[variant]]\nname = \"cba\"\nset.method.preset = "
+      "\"cba\"\n");
+  SuiteOptions options = options_of(files);
+  run_suite(options);
+  nlohmann::json two = read_json(files, "verdicts.json");
+  options.jobs = 1;
+  run_suite(options);
+  nlohmann::json one = read_json(files, "verdicts.json");
+  for (nlohmann::json* verdicts : {&one, &two})
+    for (nlohmann::json& verdict : *verdicts) verdict.erase("cpu_seconds");
+  EXPECT_EQ(one, two);
+}
+
+TEST(Suite, PlantedFaultIsCaught) {
+  const SyntheticCase files(mutant);
+  SuiteOptions options = options_of(files);
+  options.mutants = true;
+  EXPECT_FALSE(run_suite(options).blocked());
+  EXPECT_TRUE(read_json(files, "mutants.json")[0]["caught"]);
+}
+
+TEST(Suite, CheckWithoutItsSeriesBlocksAndSaysWhy) {
+  const SyntheticCase files("[[check]]\ncheck = \"compressibility\"\n");
+  const SuiteResult result = run_suite(options_of(files));
+  EXPECT_TRUE(result.blocked());
+  const Judgement& judgement = result.outcomes.at(0).checks.at(1).judgement;
+  EXPECT_EQ(judgement.verdict, Verdict::inconclusive);
+  EXPECT_THAT(judgement.reason, testing::HasSubstr("no series 'pressure'"));
+  EXPECT_TRUE(read_json(files, "verdicts.json")[1]["value"].is_null());
+}
+
+TEST(Suite, FreshSeedIsDerivedAndRecorded) {
+  const SyntheticCase files;
+  SuiteOptions options = options_of(files);
+  options.seed = 42;
+  run_suite(options);
+  EXPECT_EQ(read_json(files, "verdicts.json")[0]["seed"], derived_seed(42, "small/dsmc/one"));
+}
+
+TEST(Suite, UnknownNamesAreRefused) {
+  const SyntheticCase files;
+  SuiteOptions options = options_of(files);
+  options.cases = {"smal"};
+  EXPECT_THROW(run_suite(options), InputError);
+  options.cases = {};
+  options.tier = "stndard";
+  EXPECT_THROW(run_suite(options), InputError);
+}
+
+TEST(Suite, StopInterrupts) {
+  const SyntheticCase files;
+  SuiteOptions options = options_of(files);
+  const std::atomic<bool> stop = true;
+  options.stop = &stop;
+  EXPECT_THROW(run_suite(options), Interrupted);
+}
+
+TEST(Pool, RunsEveryJobOnceAndPassesOnTheFirstException) {
+  std::atomic<int> runs = 0;
+  const std::vector<std::function<void()>> jobs(50, [&] { ++runs; });
+  run_in_parallel(3, jobs);
+  EXPECT_EQ(runs, 50);
+  EXPECT_THROW(run_in_parallel(2, {[] { throw RunError("broken"); }}), RunError);
+}
+
+}  // namespace
+}  // namespace sandglass
