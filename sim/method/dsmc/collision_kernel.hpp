@@ -124,19 +124,25 @@ class CollisionKernel final : public CollisionStage<D> {
       if (!selection_.accepts(square_speed, square_bound, random.uniform())) continue;
       transfer += collide_pair(one, two, relative, square_speed, random);
       ++step.tally->collisions;
-      // From registers: a load of what was just stored in pieces would wait for the stores.
-      task.box.include(Lanes<D>::from(one.velocity, 0));
-      task.box.include(Lanes<D>::from(two.velocity, 0));
-      if (const double wider = task.box.square_diagonal(); wider > task.square_diagonal) [[unlikely]] {
+      if (left == 1) break;
+      if (const double ratio = widen(task, one.velocity, two.velocity); ratio > 1) {
         // The rest of the step goes on with the higher bound and proportionally more candidates.
-        const double ratio = wider / task.square_diagonal;
         left = 1 + selection_.whole((static_cast<double>(left) - 1) * std::sqrt(ratio), random);
         square_bound *= ratio;
-        task.square_diagonal = wider;
         ++step.tally->bound_raised;
       }
     }
     if constexpr (Transfer) step.tally->transfer.add(transfer);
+  }
+
+  /// Takes the velocities after a collision into the box and returns by how much its square diagonal grew.
+  double widen(Task& task, const Vector<D>& velocity_1, const Vector<D>& velocity_2) const {
+    // From registers: a load of what was just stored in pieces would wait for the stores.
+    task.box.include(Lanes<D>::from(velocity_1, 0));
+    task.box.include(Lanes<D>::from(velocity_2, 0));
+    const double before = task.square_diagonal;
+    task.square_diagonal = task.box.square_diagonal();
+    return task.square_diagonal > before ? task.square_diagonal / before : 1;
   }
 
   /// Returns the momentum times distance that the offset carries.
