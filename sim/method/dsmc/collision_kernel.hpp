@@ -94,6 +94,7 @@ class CollisionKernel final : public CollisionStage<D> {
     std::size_t count = 0;
     for (std::uint32_t cell = first; cell < last; ++cell) {
       const std::uint32_t begin = step.offsets[cell], particles = step.offsets[cell + 1] - begin;
+      if (particles < 2) continue;  // behind the last particle there is no velocity
       Task& task = tasks[count];
       task.box = VelocityBox<D>(step.particles + begin, particles);
       task.square_diagonal = task.box.square_diagonal();
