@@ -65,7 +65,8 @@ TEST(Compressibility, SeesTheEquationOfStateAndADroppedOffset) {
 }
 
 TEST(Compressibility, BudgetKnowsTheMissingPairs) {
-  // By hand: d(nu Z)/dnu of disks at nu = 0.25 is 1 + 4 nu g + 2 nu^2 dg/dnu = 1 + 19/12 + 31/72; 250 particles a cell.
+  // By hand: d(nu Z)/dnu of disks at nu = 0.25 is 1 + 4 nu g + 2 nu^2 dg/dnu = 1 + 19/12 + 31/72; 250
+  // particles a cell.
   const double inverse_structure = 1 + 19.0 / 12 + 31.0 / 72;
   const Evidence evidence = compressibility_of(1, 0);
   const double of_collisional_part = evidence.budget.systematic / (evidence.expected - 1) * 999 / 1000;

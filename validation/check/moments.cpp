@@ -101,8 +101,8 @@ Figure sonine_figure(const Subject& subject, double expected) {
   return figure;
 }
 
-/// Moment equations to third order, solved by sampling Maxwellian pairs, shift a2 of disks by 0.0028, 0.0036 and 0.018 at
-/// r = 0.9, 0.8 and 0.5: all below 0.025 (1-r^2).
+/// Moment equations to third order, solved by sampling Maxwellian pairs, shift a2 of disks by 0.0028, 0.0036
+/// and 0.018 at r = 0.9, 0.8 and 0.5: all below 0.025 (1-r^2).
 double error_of_first_order(int dimension, double restitution) {
   const double a2 = law::sonine_a2(dimension, restitution);
   const double closures = std::abs(a2 - law::sonine_a2_relinearised(dimension, restitution));

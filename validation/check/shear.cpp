@@ -76,8 +76,9 @@ Figure wave_figure(const Wave& wave, double rate) {
   return figure;
 }
 
-/// Relative rise of the viscosity because the lost energy of the wave becomes heat. The wave holds m A^2/4 a particle, D/2 of
-/// temperature each; the viscosity grows with the root of it. Averaged over the run as decay_rate() weights it.
+/// Relative rise of the viscosity because the lost energy of the wave becomes heat. The wave holds m A^2/4 a
+/// particle, D/2 of temperature each; the viscosity grows with the root of it. Averaged over the run as
+/// decay_rate() weights it.
 double heating(const Subject& subject, const Wave& wave, double expected_rate) {
   const double amplitude = subject.scene().initial.shear_wave->amplitude;
   const double full = amplitude * amplitude * subject.species().mass / (2 * subject.dimension()) /
@@ -91,8 +92,9 @@ double heating(const Subject& subject, const Wave& wave, double expected_rate) {
   return std::sqrt(1 + full * heated / weights) - 1;
 }
 
-/// Relative departure of a gas of rarefaction q = (k nu)^2 m/T from the Navier-Stokes decay. To second order a stress that
-/// relaxes at the rate p/eta gives nu k^2 (1 + q), a distribution that does (BGK) gives nu k^2 (1 - q): q bounds both.
+/// Relative departure of a gas of rarefaction q = (k nu)^2 m/T from the Navier-Stokes decay. To second order
+/// a stress that relaxes at the rate p/eta gives nu k^2 (1 + q), a distribution that does (BGK) gives nu k^2
+/// (1 - q): q bounds both.
 double rarefaction(const Subject& subject, double viscosity) {
   const double speed_squared = subject.scene().initial.temperature / subject.species().mass;
   return std::pow(wave_number(subject.scene()) * viscosity, 2) / speed_squared;

@@ -26,9 +26,10 @@ class Subject {
   double particles_per_cell() const;   ///< 0 when the method has no cells
   double collisions_per_step() const;  ///< of one particle, at the initial temperature
 
-  /// An offset pushes particles apart, so that a cell of N_c particles holds fewer pairs than chance would give it: a part
-  /// (1 - S)/N_c of them is missing, with S = (d(nu Z)/dnu)^-1, the structure factor at long wavelengths. Whatever is
-  /// proportional to pairs is too small by up to that part. 0 without an offset or without cells.
+  /// An offset pushes particles apart, so that a cell of N_c particles holds fewer pairs than chance would
+  /// give it: a part (1 - S)/N_c of them is missing, with S = (d(nu Z)/dnu)^-1, the structure factor at long
+  /// wavelengths. Whatever is proportional to pairs is too small by up to that part. 0 without an offset or
+  /// without cells.
   double missing_pairs() const;
 
   /// The gas of the scene at the given temperature, for laws.

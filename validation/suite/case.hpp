@@ -58,7 +58,8 @@ struct TierChange {
   Override set;
 };
 
-/// What a tier runs of a case and how long. A tier that the case does not mention runs all of it as it stands.
+/// What a tier runs of a case and how long. A tier that the case does not mention runs all of it as it
+/// stands.
 struct Tier {
   std::string name;
   Selection where;
@@ -105,8 +106,8 @@ struct Case {
   Tier tier(const std::string& name) const;
 };
 
-/// Reads case.toml, scene.toml and README.md of a folder. Throws InputError with every fault of case.toml, each with
-/// its place, the allowed words and the nearest spelling.
+/// Reads case.toml, scene.toml and README.md of a folder. Throws InputError with every fault of case.toml,
+/// each with its place, the allowed words and the nearest spelling.
 Case read_case(const std::string& folder);
 
 /// Every case below a folder, sorted by topic and name.

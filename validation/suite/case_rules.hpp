@@ -5,7 +5,8 @@
 
 namespace sandglass {
 
-/// Reports every name in a case that names nothing: points, variants, checks and their numbers, tiers, mutations.
+/// Reports every name in a case that names nothing: points, variants, checks and their numbers, tiers,
+/// mutations.
 void check_case_rules(const Case& subject, Diagnostics& diagnostics);
 
 }  // namespace sandglass

@@ -18,8 +18,8 @@ struct Task {
   std::vector<const CheckUse*> checks;
 };
 
-/// Every run of a case in a tier; of one variant only when `variant` is not empty. Throws InputError for a scene that
-/// cannot be, placed in case.toml or scene.toml.
+/// Every run of a case in a tier; of one variant only when `variant` is not empty. Throws InputError for a
+/// scene that cannot be, placed in case.toml or scene.toml.
 std::vector<Task> expand(const Case& subject, const std::string& tier, const std::string& variant);
 
 /// The scene of one point and variant in a tier, with one more override on top.

@@ -39,7 +39,8 @@ struct Outcome {
   std::uint64_t first_seed = 0;
 };
 
-/// Holds a record against the checks of a case. A check that cannot be evaluated is inconclusive and says why.
+/// Holds a record against the checks of a case. A check that cannot be evaluated is inconclusive and says
+/// why.
 std::vector<CheckOutcome> judge_record(const Task& task, const Record& record, const Confidence& confidence);
 
 /// Cost and provenance out of a record.

@@ -24,7 +24,8 @@ std::string read_text(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The table `set` beside a Table that reads the rest: its keys are those of a scene, judged when it is laid over one.
+/// The table `set` beside a Table that reads the rest: its keys are those of a scene, judged when it is laid
+/// over one.
 Override read_set(Table& table, const Node& node, const std::string& key, const std::string& file) {
   table.table(key);
   for (const Node& item : node.items)

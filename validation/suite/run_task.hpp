@@ -9,8 +9,8 @@
 
 namespace sandglass {
 
-/// Runs a task, writes its record when `record_path` (relative to the report folder) is not empty, judges it, and
-/// repeats it once when fresh seeds are asked for and luck may be to blame.
+/// Runs a task, writes its record when `record_path` (relative to the report folder) is not empty, judges it,
+/// and repeats it once when fresh seeds are asked for and luck may be to blame.
 Outcome run_task(const Task& task, const SuiteOptions& options, const std::string& record_path);
 
 /// Counts finished work and tells the caller, one call at a time.

@@ -42,9 +42,9 @@ struct SuiteResult {
   bool blocked() const;
 };
 
-/// Runs the matrix or the mutants and fills the report folder (docs/file-formats.md). Throws InputError for a case, tier or
-/// variant that does not exist and for a scene that cannot be, before anything runs; RunError when nothing can be
-/// written. A run that breaks is a verdict: its checks are inconclusive and say why.
+/// Runs the matrix or the mutants and fills the report folder (docs/file-formats.md). Throws InputError for a
+/// case, tier or variant that does not exist and for a scene that cannot be, before anything runs; RunError
+/// when nothing can be written. A run that breaks is a verdict: its checks are inconclusive and say why.
 SuiteResult run_suite(const SuiteOptions& options);
 
 /// What `list cases` shows.

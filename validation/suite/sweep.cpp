@@ -31,7 +31,8 @@ SweepValue value_of(const Outcome& outcome, double knob, const SweepResult& resu
   return value;
 }
 
-/// Standard error of the error itself. That of a standard error from R replicas is a part 1/sqrt(2(R-1)) of it.
+/// Standard error of the error itself. That of a standard error from R replicas is a part 1/sqrt(2(R-1)) of
+/// it.
 double noise_of(const SweepValue& value, const SweepResult& result) {
   if (follows_error_bar(*result.sweep)) return value.error / std::sqrt(2 * std::max(1.0, value.knob - 1));
   return std::hypot(value.standard_error, result.reference_error);

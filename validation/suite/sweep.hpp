@@ -24,7 +24,8 @@ struct SweepResult {
   std::string order_reason;
 };
 
-/// The runs of a sweep: the reference first, then its points. Seeds are derived, so that no two share their noise.
+/// The runs of a sweep: the reference first, then its points. Seeds are derived, so that no two share their
+/// noise.
 std::vector<Task> sweep_tasks(const Case& subject, const std::string& tier, const Sweep& sweep);
 
 /// From the evidence of those runs, in the same order.
