@@ -7,17 +7,31 @@
 #include "validation/judge/judge.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace sandglass::program {
 
+namespace {
+
+/// What the scene's own checks would need: the remedy for a record that none can read.
+std::string missing_series(const Record& record) {
+  const Scene scene = read_scene_text(record.scene, "scene of the record");
+  std::string text =
+      "Checks that hold for this scene, and the series that they need (observe them and run again):";
+  for (const CheckInfo& info : all_checks()) {
+    if (!info.applies(scene)) continue;
+    text += fmt::format("\n  {}: {}", info.name, fmt::join(info.needs, ", "));
+  }
+  return text;
+}
+
+}  // namespace
+
 int check(const Options& options) {
   const Record record = read_record(options.subject);
   const std::vector<const CheckInfo*> checks = checks_for(record);
-  if (checks.empty())
-    throw InputError(
-        options.subject +
-        ": no check applies: none finds the series that it needs. `sandglass list checks` names them");
+  if (checks.empty()) throw InputError(options.subject + ": no check applies.\n" + missing_series(record));
   nlohmann::json json = nlohmann::json::array();
   std::vector<std::vector<std::string>> rows = {
       {"check", "verdict", "value", "standard error", "expected", "budget", "units"}};
