@@ -27,11 +27,11 @@ class FreeFlight {
     return position + dt_ * velocity;
   }
   bool inside(const Real& position) const {
-    const auto out = (position < 0) | (position >= box_);
+    const auto in = (position >= 0) & (position < box_);  // false for what is not a number
     if constexpr (D == 2)
-      return (out[0] | out[1]) == 0;
+      return (in[0] & in[1]) != 0;
     else
-      return (out[0] | out[1] | out[2]) == 0;
+      return (in[0] & in[1] & in[2]) != 0;
   }
   const Real& gain() const { return gain_; }
 
