@@ -8,16 +8,33 @@
 
 namespace sandglass {
 
+namespace {
+/// Every address is known beforehand: the line of a particle this far ahead is on its way while others are copied.
+constexpr std::size_t kAhead = 12;
+
+template <class T, class Place>
+void scatter(const Column<T>& from, const Column<Place>& places, const std::uint32_t* begin, Column<T>& to) {
+  const T* source = from.data();
+  const Place* place = places.data();
+  T* target = to.data();
+  const auto slot = [begin, place](std::size_t i) { return begin[place[i].cell] + place[i].rank; };
+  const std::size_t count = from.size(), ahead = count > kAhead ? count - kAhead : 0;
+  for (std::size_t i = 0; i < ahead; ++i) {
+    __builtin_prefetch(target + slot(i + kAhead), 1);
+    target[slot(i)] = source[i];
+  }
+  for (std::size_t i = ahead; i < count; ++i) target[slot(i)] = source[i];
+}
+}  // namespace
+
 template <int D>
 void ParticleStore<D>::sort() {
   // arrival_[c + 1] counts cell c; after the sum, arrival_[c] is where cell c begins.
   std::inclusive_scan(arrival_.begin(), arrival_.end(), arrival_.begin());
-  const std::uint32_t* begin = arrival_.data();
-  const std::size_t count = phase_.size();
-  for (std::size_t i = 0; i < count; ++i) next_phase_[begin[place_[i].cell] + place_[i].rank] = phase_[i];
+  scatter(phase_, place_, arrival_.data(), next_phase_);
   phase_.swap(next_phase_);
   if (keep_ids_) {
-    for (std::size_t i = 0; i < count; ++i) next_id_[begin[place_[i].cell] + place_[i].rank] = id_[i];
+    scatter(id_, place_, arrival_.data(), next_id_);
     id_.swap(next_id_);
   }
   offset_.swap(arrival_);
