@@ -1,0 +1,73 @@
+#include "sim/base/error.hpp"
+#include "sim/run/run.hpp"
+#include "sim/run/test_scene.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace sandglass {
+namespace {
+
+void expect_bytes_as_planned(const Scene& scene) {
+  const double held = run_scene(scene).timings.at("bytes-per-particle");
+  EXPECT_NEAR(plan(scene).bytes_per_particle / held, 1, 0.01)
+      << scene.domain.dimension << "D, ids " << scene.output.ids << ", held " << held;
+}
+
+TEST(Plan, TellsTheBytesThatTheRunHolds) {
+  for (int dimension : {2, 3})
+    for (bool ids : {false, true})
+      for (ContactFactor factor : {ContactFactor::none, ContactFactor::local}) {
+        Scene scene = test_scene(dimension, dimension == 2 ? 300 : 40, 20'000);
+        scene.run.duration.steps = 1;
+        scene.output.ids = ids;
+        scene.method.contact_factor = factor;
+        expect_bytes_as_planned(scene);
+        scene.method.cells.assign(static_cast<std::size_t>(dimension), dimension == 2 ? 100 : 21);
+        expect_bytes_as_planned(scene);
+      }
+}
+
+TEST(Plan, TellsTheCells) {
+  Scene scene = test_scene(2, 30, 900);
+  scene.method.cell_size = 3.1;
+  EXPECT_EQ(plan(scene).cells, 100u);
+  EXPECT_DOUBLE_EQ(plan(scene).particles_per_cell, 9);
+  scene.method.cells = {4, 5};
+  EXPECT_EQ(plan(scene).cells, 20u);
+}
+
+/// Mean free path of disks 1/(2 sqrt(2) n d), of spheres 1/(sqrt(2) pi n d^2).
+TEST(Plan, TellsTheMeanFreePath) {
+  Scene disks = test_scene(2, 30, 90);
+  disks.method.cells = {10, 10};
+  EXPECT_NEAR(plan(disks).cell_size_in_mean_free_paths, 3 * 2 * M_SQRT2 * 0.1, 1e-12);
+  Scene spheres = test_scene(3, 30, 2700);
+  spheres.method.cells = {10, 10, 10};
+  EXPECT_NEAR(plan(spheres).cell_size_in_mean_free_paths, 3 * M_SQRT2 * M_PI * 0.1, 1e-12);
+}
+
+TEST(Plan, WarnsOfCoarseCellsAndLongSteps) {
+  Scene scene = test_scene(2, 30, 900);
+  scene.method.cells = {20, 20};
+  EXPECT_EQ(plan(scene).warnings.size(), 2u);  // wider than a mean free path; fewer than five particles
+  scene.method.time_step.fixed = 10;
+  EXPECT_EQ(plan(scene).warnings.size(), 3u);
+}
+
+TEST(Run, RefusesToWaitForCollisionsThatNeverCome) {
+  Scene scene = test_scene(2, 10, 2);
+  scene.initial.temperature = 0;
+  scene.run.duration = {{}, {}, 1.0};
+  try {
+    run_scene(scene);
+    FAIL();
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("no collision in 1000000 steps"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace sandglass

@@ -1,0 +1,91 @@
+#include "sim/run/time_step.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/run/initial.hpp"
+#include "sim/run/test_scene.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace sandglass {
+namespace {
+
+constexpr std::uint64_t kParticles = 10'000;
+
+/// About 100 000 collisions: a scatter of 0.3%.
+template <int D>
+void expect_wanted_collisions(double restitution, const std::string& preset, double factor_of_density) {
+  Scene scene = test_scene(D, D == 2 ? 250 : 40, kParticles);
+  scene.species[0].restitution = restitution;
+  scene.method.preset = preset;
+  if (preset == "dsmc-enskog") scene.method.contact_factor = ContactFactor::local;
+  scene.method.weight = factor_of_density;
+  scene.method.time_step = {{}, 0.05};
+  const Setup<D> setup = set_up<D>(scene, {});
+  dsmc::Dsmc<D> gas(setup.grid, setup.parameters, setup.motion, {1, 0});
+  gas.assign(initial_particles<D>(scene, setup, {1, 0}));
+  TimeStepper<D> stepper(scene, setup);
+  constexpr int kSteps = 400;
+  for (std::uint64_t step = 0; step < kSteps; ++step) gas.step(stepper.next(gas.view(), step), step);
+  const double per_step =
+      2.0 * static_cast<double>(gas.tally().collisions) / (kSteps * static_cast<double>(kParticles));
+  EXPECT_NEAR(per_step / 0.05, 1, 0.01) << D << "D, restitution " << restitution << ", " << preset;
+}
+
+TEST(TimeStepper, GivesTheWantedCollisionsPerStep) {
+  expect_wanted_collisions<2>(1, "dsmc", 1);
+  expect_wanted_collisions<3>(1, "dsmc", 1);
+  expect_wanted_collisions<2>(1, "dsmc-enskog", 1.5);
+  expect_wanted_collisions<3>(1, "dsmc-enskog", 1.2);
+}
+
+/// Twenty collisions of each particle cool the disks by exp(-3.6) and the spheres by exp(-2.4): the step must follow.
+TEST(TimeStepper, FollowsACoolingGas) {
+  expect_wanted_collisions<2>(0.8, "dsmc", 1);
+  expect_wanted_collisions<3>(0.8, "dsmc", 1);
+}
+
+template <int D>
+double expected_rate(double diameter, ContactFactor factor) {
+  Scene scene = test_scene(D, 10, 30);
+  scene.species[0].diameter = diameter;
+  scene.species[0].mass = 2;
+  scene.method.contact_factor = factor;
+  return expected_collision_rate(scene, set_up<D>(scene, {}), 0.5);
+}
+
+/// Enskog: 2 sqrt(pi) n d g sqrt(T/m) for disks, 4 n d^2 g sqrt(pi T/m) for spheres.
+TEST(ExpectedCollisionRate, IsEnskogs) {
+  EXPECT_NEAR(expected_rate<2>(0.7, ContactFactor::none), 2 * std::sqrt(M_PI) * 0.3 * 0.7 * 0.5, 1e-14);
+  EXPECT_NEAR(expected_rate<3>(0.7, ContactFactor::none), 4 * 0.03 * 0.49 * std::sqrt(M_PI) * 0.5, 1e-14);
+  const double disks = 0.3 * M_PI / 4, spheres = 0.03 * M_PI / 6;
+  EXPECT_NEAR(expected_rate<2>(1, ContactFactor::local) / expected_rate<2>(1, ContactFactor::none),
+              (1 - 7 * disks / 16) / std::pow(1 - disks, 2), 1e-14);
+  EXPECT_NEAR(expected_rate<3>(1, ContactFactor::local) / expected_rate<3>(1, ContactFactor::none),
+              (1 - spheres / 2) / std::pow(1 - spheres, 3), 1e-14);
+}
+
+TEST(TimeStepper, RefusesAGasWithoutMotion) {
+  Scene scene = test_scene(2, 10, 30);
+  scene.method.time_step = {{}, 0.05};
+  scene.initial.temperature = 0;
+  const auto setup = set_up<2>(scene, {});
+  dsmc::Dsmc<2> gas(setup.grid, setup.parameters, setup.motion, {1, 0});
+  gas.assign(initial_particles<2>(scene, setup, {1, 0}));
+  TimeStepper<2> stepper(scene, setup);
+  EXPECT_THROW(stepper.next(gas.view(), 0), RunError);
+}
+
+/// The offset carries m l r |c_n| a collision, hard cores m d (1 + r)/2 |c_n|.
+TEST(SetUp, CorrectedOffsetCarriesTheVirialOfHardCores) {
+  Scene scene = test_scene(2, 10, 30);
+  scene.species[0].diameter = 0.9;
+  scene.species[0].restitution = 0.6;
+  scene.method.offset = Offset::corrected;
+  const double length = set_up<2>(scene, {}).parameters.offset.consistent;
+  EXPECT_NEAR(length * 0.6, 0.9 * (1 + 0.6) / 2, 1e-14);
+}
+
+}  // namespace
+}  // namespace sandglass
