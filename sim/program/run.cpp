@@ -6,6 +6,7 @@
 #include "sim/program/progress_line.hpp"
 #include "sim/program/signals.hpp"
 #include "sim/program/table.hpp"
+#include "sim/record/atomic_file.hpp"
 #include "sim/record/record.hpp"
 
 #include <filesystem>
@@ -39,6 +40,7 @@ void refuse_bad_path(const std::string& path, bool overwrite) {
   if (!overwrite && fs::exists(path, none))
     throw InputError(fmt::format(
         "{}: exists already; use --overwrite to replace it, or another file with --output", path));
+  require_writable(path);
 }
 
 std::string summary(const Record& record, const std::string& path) {
