@@ -1,5 +1,6 @@
 #include "sim/method/dsmc/motion_stage.hpp"
 
+#include "sim/base/error.hpp"
 #include "sim/space/cell_locator.hpp"
 #include "sim/space/flight.hpp"
 
@@ -63,16 +64,19 @@ class MotionKernel final : public MotionStage<D> {
  private:
   using Lane = Lanes<D>;
 
-  /// Free flight where it ends in the box, which is nearly always; else axis by axis with the boundaries.
+  /// Free flight where it stays in the box, which is nearly always; else axis by axis with the boundaries.
   typename Lane::Real fly(Phase<D>& particle, const FreeFlight<D>& flight, const Vector<D>& box,
                           double dt) const {
     double* components = particle.position.data();
+    const typename Lane::Real start = Lane::load(components), velocity = Lane::load(components + D);
+    const typename Lane::Real position = flight.template end<Gravity>(start, velocity);
+    bool stays = flight.inside(position);
     if constexpr (Sides == Walls::specular) {
-      if (Gravity || parameters_.offsets) return fly_bounded(particle, box, dt);
+      // Gravity bends the path away from its tangent and no further than the chord from start to end.
+      if constexpr (Gravity) stays = stays && flight.inside(flight.template end<false>(start, velocity));
+      if (parameters_.offsets) stays = stays && flight.inside(start);
     }
-    const typename Lane::Real velocity = Lane::load(components + D);
-    const typename Lane::Real position = flight.template end<Gravity>(Lane::load(components), velocity);
-    if (!flight.inside(position)) [[unlikely]]
+    if (!stays) [[unlikely]]
       return fly_bounded(particle, box, dt);
     Lane::store(components, position);
     if constexpr (Gravity) Lane::store(components + D, velocity + flight.gain());
@@ -82,6 +86,10 @@ class MotionKernel final : public MotionStage<D> {
   [[gnu::noinline]] typename Lane::Real fly_bounded(Phase<D>& particle, const Vector<D>& box,
                                                     double dt) const {
     for (int axis = 0; axis < D; ++axis) fly_along(particle, axis, box[axis], dt);
+    // What is not a number is never inside the box, so that it always comes by here.
+    if (!particle.position.allFinite() || !particle.velocity.allFinite())
+      throw RunError(
+          "a position or velocity is not a finite number: time step too long, or too strong a force?");
     return Lane::from(particle.position, 0);
   }
 
@@ -108,7 +116,10 @@ class MotionKernel final : public MotionStage<D> {
     for (Plane& plane : *parameters_.planes) {
       const double length = box[plane.axis()], velocity = particle.velocity[plane.axis()];
       const double before = wrap(particle.position[plane.axis()], length, 1 / length) - plane.position();
-      const double passages = std::floor((before + velocity * dt) / length) - std::floor(before / length);
+      const double after = before + velocity * dt;
+      if ((before < 0) == (after < 0) && std::abs(after) < length) [[likely]]
+        continue;
+      const double passages = std::floor(after / length) - std::floor(before / length);
       for (int i = 0; i < std::abs(static_cast<int>(passages)); ++i) plane.count(velocity);
     }
   }

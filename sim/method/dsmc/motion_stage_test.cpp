@@ -1,5 +1,6 @@
 #include "sim/method/dsmc/motion_stage.hpp"
 
+#include "sim/base/error.hpp"
 #include "sim/base/random.hpp"
 #include "sim/space/flight.hpp"
 
@@ -135,6 +136,15 @@ TEST(MotionStage, VelocityThatIsNotANumberStaysInTheBox) {
       make_motion_stage(parameters)->advance(store, 0, store.size(), 0.1);
       for (std::size_t i = 0; i < store.size(); ++i) ASSERT_LT(store.places()[i].cell, store.grid().size());
     }
+}
+
+TEST(MotionStage, StopsAtWhatIsNotANumber) {
+  for (const double wrong : {std::nan(""), HUGE_VAL}) {
+    auto store = scattered<2>(1);
+    store.phases()[7].velocity[1] = wrong;
+    store.begin_step();
+    EXPECT_THROW(make_motion_stage<2>({})->advance(store, 0, store.size(), 0.1), RunError);
+  }
 }
 
 }  // namespace
