@@ -124,27 +124,18 @@ TEST(MotionStage, CountsCrossingsLikeArithmetic) {
 }
 
 /// Whatever a broken state brings, nothing is written outside the cells; the velocity shows it.
-TEST(MotionStage, VelocityThatIsNotANumberStaysInTheBox) {
-  for (bool walled : {false, true})
-    for (double gravity : {0.0, -1.0}) {
-      auto store = scattered<3>(1);
-      store.phases()[17].velocity = Vector<3>::Constant(NAN);
-      MotionParameters<3> parameters;
-      parameters.walled.fill(walled);
-      parameters.gravity[2] = gravity;
-      store.begin_step();
-      make_motion_stage(parameters)->advance(store, 0, store.size(), 0.1);
-      for (std::size_t i = 0; i < store.size(); ++i) ASSERT_LT(store.places()[i].cell, store.grid().size());
-    }
-}
-
 TEST(MotionStage, StopsAtWhatIsNotANumber) {
-  for (const double wrong : {std::nan(""), HUGE_VAL}) {
-    auto store = scattered<2>(1);
-    store.phases()[7].velocity[1] = wrong;
-    store.begin_step();
-    EXPECT_THROW(make_motion_stage<2>({})->advance(store, 0, store.size(), 0.1), RunError);
-  }
+  for (const double wrong : {std::nan(""), HUGE_VAL})
+    for (bool walled : {false, true})
+      for (double gravity : {0.0, -1.0}) {
+        auto store = scattered<3>(1);
+        store.phases()[17].velocity[1] = wrong;
+        MotionParameters<3> parameters;
+        parameters.walled.fill(walled);
+        parameters.gravity[2] = gravity;
+        store.begin_step();
+        EXPECT_THROW(make_motion_stage(parameters)->advance(store, 0, store.size(), 0.1), RunError);
+      }
 }
 
 }  // namespace
