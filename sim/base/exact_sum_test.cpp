@@ -36,7 +36,8 @@ TEST(ExactSum, DoesNotDependOnOrder) {
   std::mt19937_64 generator(7);
   std::vector<double> terms;
   for (int i = 0; i < 1000; ++i)
-    terms.push_back(std::ldexp(std::uniform_real_distribution<>(-1, 1)(generator), static_cast<int>(generator() % 200) - 100));
+    terms.push_back(std::ldexp(std::uniform_real_distribution<>(-1, 1)(generator),
+                               static_cast<int>(generator() % 200) - 100));
   const double first = exact(terms);
   for (int repeat = 0; repeat < 20; ++repeat) {
     std::shuffle(terms.begin(), terms.end(), generator);

@@ -12,7 +12,8 @@ namespace {
 /// The slow twin: every draw is a Philox block named by its draw number.
 class PhiloxStream {
  public:
-  PhiloxStream(std::uint64_t seed, std::uint64_t step, std::uint64_t cell) : counter_{{0, step, cell, 3}}, key_{{seed, 1}} {}
+  PhiloxStream(std::uint64_t seed, std::uint64_t step, std::uint64_t cell)
+      : counter_{{0, step, cell, 3}}, key_{{seed, 1}} {}
   double uniform() {
     ++counter_[0];
     return static_cast<double>(r123::Philox4x64()(counter_, key_)[0] >> 11) * 0x1p-53;
@@ -46,16 +47,19 @@ constexpr double kLow = 511 - 5 * 32, kHigh = 511 + 5 * 32;
 
 TEST(Random, NeighbouringCellsAreIndependent) {
   const StreamKey key(1, Purpose::collisions, 0, 12);
-  const double chi = chi_square_of_neighbouring_streams([&](int i) { return Random(key, static_cast<std::uint64_t>(i)); }, 200000);
+  const double chi = chi_square_of_neighbouring_streams(
+      [&](int i) { return Random(key, static_cast<std::uint64_t>(i)); }, 200000);
   EXPECT_GT(chi, kLow);
   EXPECT_LT(chi, kHigh);
 }
 
 TEST(Random, NeighbouringStepsAndSeedsAreIndependent) {
   const double steps = chi_square_of_neighbouring_streams(
-      [](int i) { return Random(StreamKey(1, Purpose::collisions, 0, static_cast<std::uint64_t>(i)), 5); }, 200000);
+      [](int i) { return Random(StreamKey(1, Purpose::collisions, 0, static_cast<std::uint64_t>(i)), 5); },
+      200000);
   const double seeds = chi_square_of_neighbouring_streams(
-      [](int i) { return Random(StreamKey(static_cast<std::uint64_t>(i), Purpose::positions, 0, 0), 5); }, 200000);
+      [](int i) { return Random(StreamKey(static_cast<std::uint64_t>(i), Purpose::positions, 0, 0), 5); },
+      200000);
   for (double chi : {steps, seeds}) {
     EXPECT_GT(chi, kLow);
     EXPECT_LT(chi, kHigh);
@@ -75,7 +79,8 @@ TEST(Random, EveryNameCounts) {
     for (Purpose purpose : {Purpose::positions, Purpose::collisions})
       for (std::uint64_t replica : {0u, 1u})
         for (std::uint64_t step : {0u, 1u})
-          for (std::uint64_t index : {0u, 1u}) first.insert(Random(StreamKey(seed, purpose, replica, step), index).bits());
+          for (std::uint64_t index : {0u, 1u})
+            first.insert(Random(StreamKey(seed, purpose, replica, step), index).bits());
   EXPECT_EQ(first.size(), 32u);
 }
 

@@ -11,8 +11,8 @@ namespace {
 template <int D>
 double bytes_of(const Scene& scene, const Setup<D>& setup) {
   const double per_cell = setup.parameters.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8;
-  return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) +
-         (scene.output.ids ? 16 : 0) + per_cell * setup.grid.size() / static_cast<double>(setup.particles);
+  return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene.output.ids ? 16 : 0) +
+         per_cell * setup.grid.size() / static_cast<double>(setup.particles);
 }
 
 struct Feature {

@@ -1,10 +1,10 @@
 #include "sim/run/run.hpp"
 
+#include "sim/base/error.hpp"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
-
-#include "sim/base/error.hpp"
 
 namespace sandglass {
 namespace {
@@ -56,7 +56,8 @@ void expect_same(const Record& a, const Record& b) {
     EXPECT_EQ(a.replicas[r].counters, b.replicas[r].counters);
     ASSERT_EQ(a.replicas[r].series.size(), b.replicas[r].series.size());
     for (std::size_t s = 0; s < a.replicas[r].series.size(); ++s) {
-      EXPECT_EQ(a.replicas[r].series[s].value, b.replicas[r].series[s].value) << a.replicas[r].series[s].quantity.name;
+      EXPECT_EQ(a.replicas[r].series[s].value, b.replicas[r].series[s].value)
+          << a.replicas[r].series[s].quantity.name;
       EXPECT_EQ(a.replicas[r].series[s].time, b.replicas[r].series[s].time);
     }
   }
@@ -127,7 +128,8 @@ TEST(Run, UnknownMutationNamesTheNearest) {
     run_scene(gas(), options);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("did you mean 'offset-dropped'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("did you mean 'offset-dropped'"), std::string::npos)
+        << error.what();
   }
 }
 
@@ -153,7 +155,8 @@ what = "crossings"
 axis = "x"
 position = 10.0
 every = { steps = 10 }
-)", "stream.toml");
+)",
+                                 "stream.toml");
   const Record honest_stream = run_scene(stream);
   for (const MutationInfo& info : mutations()) {
     RunOptions options;
@@ -161,7 +164,8 @@ every = { steps = 10 }
     const bool of_stream = info.name.starts_with("crossing") || info.name.starts_with("flux");
     const Record changed = run_scene(of_stream ? stream : scene, options);
     const Record& reference = of_stream ? honest_stream : honest;
-    EXPECT_NE(changed.replicas[0].series.front().value, reference.replicas[0].series.front().value) << info.name;
+    EXPECT_NE(changed.replicas[0].series.front().value, reference.replicas[0].series.front().value)
+        << info.name;
     EXPECT_EQ(changed.provenance.mutation, info.name);
   }
 }
@@ -170,7 +174,8 @@ TEST(Plan, SaysWhatIsLeftOut) {
   const Plan planned = plan(gas());
   EXPECT_EQ(planned.particles, 509u);
   EXPECT_NE(std::find(planned.left_out.begin(), planned.left_out.end(), "gravity"), planned.left_out.end());
-  EXPECT_NE(std::find(planned.used.begin(), planned.used.end(), "contact factor of the local density"), planned.used.end());
+  EXPECT_NE(std::find(planned.used.begin(), planned.used.end(), "contact factor of the local density"),
+            planned.used.end());
   EXPECT_EQ(planned.steps, 60);
 }
 
