@@ -33,6 +33,21 @@ TEST(Fields, OfThreeParticles) {
   EXPECT_EQ(bin(7), (std::vector<double>{1.5, 7, 8, 0}));
 }
 
+TEST(Fields, BinsRunFastestAlongTheLastAxis) {
+  ObserverSpec spec = spec_of("fields");
+  spec.grid = {2, 3, 4};
+  for (std::size_t bin = 0; bin < 24; ++bin) {
+    TestSystem<3> system;
+    system.box = {2, 3, 4};
+    const Vector<3> corner(static_cast<double>(bin / 12), static_cast<double>(bin / 4 % 3),
+                           static_cast<double>(bin % 4));
+    system.add_cell({{corner + Vector<3>::Constant(0.5), Vector<3>::Zero()}});
+    const auto values = Fields<3>(spec).measure(system.view());
+    for (std::size_t other = 0; other < 24; ++other)
+      EXPECT_EQ(values[5 * other], other == bin ? 3 : 0) << bin;
+  }
+}
+
 /// A stream a million times faster than the thermal motion must not drown it.
 TEST(Fields, KeepTheTemperatureOfAFastStream) {
   TestSystem<3> system;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/observe/view.hpp"
+
+#include <vector>
 
 namespace sandglass {
 

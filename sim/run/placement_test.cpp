@@ -97,6 +97,8 @@ TEST(Placement, LatticeFillsOddBoxes) {
 }
 
 TEST(Placement, LatticeOfAPerfectNumberIsRegular) {
+  EXPECT_NEAR(nearest<2>(place<2>(scene_in<2>({50, 50}, Positions::lattice), 2500, {1, 0}), {50, 50}, true),
+              1, 1e-13);
   const auto particles = place<2>(scene_in<2>({8, 6}, Positions::lattice), 12, {1, 0});
   EXPECT_NEAR(nearest<2>(particles, {8, 6}, true), 2, 1e-14);
   EXPECT_EQ(particles[0].position, Vector<2>(1, 1));

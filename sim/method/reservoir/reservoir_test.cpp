@@ -89,6 +89,21 @@ TEST(Reservoir, MaxwellianHasTooManySlowOnes) {
   }
 }
 
+TEST(Reservoir, DirectionsAreIndependent) {
+  std::vector<Plane> planes{{0, 0, {-5, 5}}};
+  Reservoir<2> reservoir(stream_of(0), {}, &planes);
+  const double expected = expected_upwards(0);
+  double product = 0, ups = 0, downs = 0;
+  for (std::uint64_t step = 0; step < kSteps; ++step) {
+    reservoir.step(1.5, step);
+    product += (planes[0].up() - ups - expected) * (planes[0].down() - downs - expected);
+    ups = planes[0].up();
+    downs = planes[0].down();
+  }
+  // Two independent Poisson numbers: the product of their deviations has mean 0 and variance expected^2.
+  EXPECT_NEAR(product / (kSteps * expected), 0, 4.5 / std::sqrt(kSteps));
+}
+
 TEST(Reservoir, ReplicasAndStepsDiffer) {
   std::vector<Plane> first{{0, 0, {-5, 5}}}, second = first, again = first;
   Reservoir<3> one(stream_of(0), {1, 0}, &first), two(stream_of(0), {1, 1}, &second),
