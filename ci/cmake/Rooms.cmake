@@ -1,5 +1,13 @@
 include(GoogleTest)
 
+# Tests are built once and run for a second: their compile time is what counts. The rooms keep their own flags.
+set(SANDGLASS_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+# What every test reads, read once.
+add_library(sandglass_test_headers STATIC "${CMAKE_CURRENT_LIST_DIR}/test_headers.cpp")
+target_link_libraries(sandglass_test_headers PRIVATE sandglass_options GTest::gtest_main GTest::gmock Eigen3::Eigen)
+target_compile_options(sandglass_test_headers PRIVATE ${SANDGLASS_TEST_OPTIONS})
+target_precompile_headers(sandglass_test_headers PRIVATE <gtest/gtest.h> <Eigen/Core>)
+
 # sandglass_room(NAME [USES room...] [LINKS target...])
 # A room is a folder of the house: every *.cpp in it becomes the library sandglass_NAME, every *_test.cpp the program
 # test_NAME; main.cpp is left to a program of its own. USES lists the rooms that it may see: the allowed arrows and no
@@ -21,9 +29,14 @@ function(sandglass_room name)
   if(tests)
     add_executable(test_${name} ${tests})
     target_link_libraries(test_${name} PRIVATE sandglass_${name} GTest::gtest_main GTest::gmock)
+    target_compile_options(test_${name} PRIVATE ${SANDGLASS_TEST_OPTIONS})
+    target_precompile_headers(test_${name} REUSE_FROM sandglass_test_headers)
     target_compile_definitions(test_${name} PRIVATE SANDGLASS_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    set(environment "")
+    if(MPI::MPI_CXX IN_LIST ROOM_LINKS)
+      set(environment ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)  # Open MPI itself leaks
+    endif()
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
-      PROPERTIES TIMEOUT 300
-      ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;ASAN_OPTIONS=detect_leaks=0")
+      PROPERTIES TIMEOUT 300 ${environment})
   endif()
 endfunction()
