@@ -1,3 +1,4 @@
+#include "sim/base/error.hpp"
 #include "sim/program/folders.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/parallel.hpp"
@@ -5,6 +6,8 @@
 #include "validation/suite/suite.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iostream>
 #include <map>
 #include <thread>
 
@@ -61,6 +64,12 @@ void print_verdicts(const SuiteResult& result) {
   if (!text.empty()) fmt::print("verdicts: {}\n", text);
 }
 
+void print_file(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw RunError("cannot read '" + path + "' back");
+  std::cout << file.rdbuf();
+}
+
 void print_mutants(const SuiteResult& result) {
   if (result.mutants.empty()) return;
   const auto caught =
@@ -79,7 +88,9 @@ int validate(const Options& options) {
   SuiteOptions suite = suite_options(options);
   suite.progress = reporter(options.quiet);
   const SuiteResult result = run_suite(suite);
-  if (!options.quiet) {
+  if (options.json) {
+    print_file(suite.output + (options.mutants ? "/mutants.json" : "/verdicts.json"));
+  } else if (!options.quiet) {
     print_verdicts(result);
     print_mutants(result);
   }

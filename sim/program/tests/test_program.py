@@ -1,0 +1,140 @@
+"""The command line as a user meets it: what it prints, writes and returns. Needs build/release/sandglass."""
+
+import json
+import os
+import pathlib
+import resource
+import signal
+import subprocess
+import time
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+PROGRAM = ROOT / "build" / "release" / "sandglass"
+
+SCENE = """
+run = { seed = 1, duration = { steps = STEPS } }
+domain = { dimension = 2, size = [40.0, 40.0] }
+method = { preset = "cba", cell-size = 5.0, weight = 0.1, time-step = 0.4 }
+[[species]]
+area-fraction = 0.05
+restitution = 0.9
+[[observe]]
+what = "energy"
+every = { steps = 5 }
+[[observe]]
+what = "collisions"
+every = { steps = 5 }
+[output]
+trajectory = { steps = 100 }
+"""
+
+
+def run(*arguments, folder=None, **options):
+    command = [str(PROGRAM), *map(str, arguments)]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=120, check=False, **options)
+
+
+@pytest.fixture
+def scene(tmp_path):
+    path = tmp_path / "gas.toml"
+    path.write_text(SCENE.replace("STEPS", "500"))
+    return path
+
+
+@pytest.mark.parametrize("what", ["methods", "observers", "cases", "laws", "checks", "claims", "mutations"])
+def test_every_list_has_names_and_summaries(what):
+    entries = json.loads(run("list", what, "--json").stdout)
+    assert len(entries) > 3
+    assert all(entry["name"] and entry["summary"] for entry in entries)
+
+
+def test_law_prints_value_units_and_source():
+    arguments = "restitution=0.9 diameter=1 mass=1 temperature=1 area-fraction=0.25 dimension=2".split()
+    law = json.loads(run("law", "haff-time-scale", *arguments, "--json").stdout)
+    # sqrt(pi) d / (2 (1 - r^2) nu g sqrt(T/m)) with g = (1 - 7 nu/16)/(1 - nu)^2: Mueller 2001, Eq. (3.2).
+    contact = (1 - 7 * 0.25 / 16) / 0.75**2
+    assert law["value"] == pytest.approx(3.14159265358979**0.5 / (2 * 0.19 * 0.25 * contact), rel=1e-12)
+    assert law["name"] == "haff-time-scale" and law["units"] == "time" and law["source"]
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (["rnu"], "did you mean 'run'"),
+        (["list", "lawz"], "did you mean 'laws'"),
+        (["law", "haff-time-scal"], "did you mean 'haff-time-scale'"),
+        (["law", "mean-speed", "dimension=two"], "key=number"),
+        (["run", "nosuch.toml"], "No such file"),
+        (["check", "nosuch.h5"], "No such file"),
+        (["validate", "--tier", "smok"], "did you mean 'smoke'"),
+        (["validate", "equilibrum-gas"], "did you mean 'equilibrium-gas'"),
+        ([], "subcommand"),
+    ],
+)
+def test_bad_input_says_what_to_do_and_returns_2(arguments, words, tmp_path):
+    finished = run(*arguments, folder=tmp_path)
+    assert finished.returncode == 2
+    assert words in finished.stderr + finished.stdout
+
+
+def test_run_check_and_export(scene, tmp_path):
+    finished = run("run", scene.name, folder=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    assert "moves/s" in finished.stdout and finished.stderr == ""
+    checked = run("check", "gas.h5", "--json", folder=tmp_path)
+    names = {entry["check"] for entry in json.loads(checked.stdout)}
+    assert names == {"haff-cooling", "cooling-per-collision"}
+    for form, file in [("vtp", "gas.pvd"), ("xyz", "gas.xyz"), ("csv", "gas.csv"), ("mdanalysis", "gas.h5md")]:
+        assert run("export", "gas.h5", "--format", form, folder=tmp_path).returncode == 0
+        assert (tmp_path / file).stat().st_size > 0
+
+
+def test_a_record_is_not_replaced_unasked(scene, tmp_path):
+    assert run("run", scene.name, "--quiet", folder=tmp_path).stdout == ""
+    before = (tmp_path / "gas.h5").read_bytes()
+    refused = run("run", scene.name, folder=tmp_path)
+    assert refused.returncode == 2 and "--overwrite" in refused.stderr
+    assert (tmp_path / "gas.h5").read_bytes() == before
+    assert run("run", scene.name, "--overwrite", folder=tmp_path).returncode == 0
+
+
+def test_plan_says_what_is_left_out(scene, tmp_path):
+    plan = json.loads(run("plan", scene.name, "--json", folder=tmp_path).stdout)
+    assert "gravity" in plan["left_out"] and "trajectory" in plan["used"]
+    assert plan["steps"] == 500
+
+
+def test_interrupt_writes_a_checkpoint_that_resumes(tmp_path):
+    (tmp_path / "gas.toml").write_text(SCENE.replace("STEPS", "3000"))
+    whole = run("run", "gas.toml", "-o", "whole.h5", "--quiet", folder=tmp_path)
+    assert whole.returncode == 0
+    started = subprocess.Popen([str(PROGRAM), "run", "gas.toml", "-o", "cut.h5"], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    time.sleep(0.1)
+    started.send_signal(signal.SIGINT)
+    message = started.communicate(timeout=60)[1]
+    if started.returncode == 0:
+        pytest.skip("the run was over before the signal")
+    assert started.returncode == 3 and "sandglass resume cut.checkpoint.h5" in message
+    assert run("resume", "cut.checkpoint.h5", "--quiet", folder=tmp_path).returncode == 0
+    for name in ("whole", "cut"):
+        assert run("export", f"{name}.h5", "--format", "xyz", folder=tmp_path).returncode == 0
+    assert (tmp_path / "whole.xyz").read_bytes() == (tmp_path / "cut.xyz").read_bytes()
+
+
+def test_full_disk_is_named_and_leaves_nothing_half_written(scene, tmp_path):
+    def little_room():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))
+
+    finished = run("run", scene.name, folder=tmp_path, preexec_fn=little_room)
+    assert finished.returncode == 3
+    assert "gas.h5" in finished.stderr and "File too large" in finished.stderr
+    assert sorted(os.listdir(tmp_path)) == ["gas.toml"]
+
+
+def test_more_than_one_rank_is_refused(scene, tmp_path):
+    environment = {**os.environ, "OMPI_COMM_WORLD_SIZE": "2"}
+    finished = run("run", scene.name, folder=tmp_path, env=environment)
+    assert finished.returncode == 2 and "2 ranks" in finished.stderr
