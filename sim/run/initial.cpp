@@ -77,7 +77,7 @@ void set_moving(std::vector<Phase<D>>& particles, const Scene& scene) {
 
 template <int D>
 std::vector<Phase<D>> initial_particles(const Scene& scene, const Setup<D>& setup, const Streams& streams) {
-  const double thermal = std::sqrt(scene.initial.temperature / scene.species.front().mass);
+  const double thermal = thermal_speed(scene);
   std::vector<Phase<D>> particles = place<D>(scene, setup.particles, streams);
   draw_velocities(particles, thermal, streams);
   if (scene.initial.exact && scene.initial.temperature > 0) make_exact(particles, thermal);

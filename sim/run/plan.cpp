@@ -95,7 +95,7 @@ Plan plan_of(const Scene& scene) {
   }
   plan.cells = setup.grid.size();
   plan.particles_per_cell = static_cast<double>(setup.particles) / static_cast<double>(plan.cells);
-  const double thermal = std::sqrt(scene.initial.temperature / scene.species.front().mass);
+  const double thermal = thermal_speed(scene);
   const double mean_speed = thermal * std::sqrt(D == 2 ? M_PI / 2 : 8 / M_PI);
   const double free_path = mean_speed / expected_collision_rate(scene, setup, scene.initial.temperature);
   plan.cell_size_in_mean_free_paths = std::pow(setup.grid.cell_volume(), 1.0 / D) / free_path;

@@ -4,6 +4,7 @@
 #include "sim/method/reservoir/reservoir.hpp"
 #include "sim/physics/collision.hpp"
 #include "sim/run/mutation.hpp"
+#include "sim/scene/catalogue.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,12 +83,13 @@ dsmc::MotionParameters<D> motion_of(const Scene& scene) {
   return motion;
 }
 
+double stream_speed(const Scene& scene, int axis) {
+  return scene.initial.velocity.empty() ? 0 : scene.initial.velocity[static_cast<std::size_t>(axis)];
+}
+
 /// Crossings: five thermal speeds either side of the stream, with a bin edge at rest.
 std::array<double, 2> default_range(const Scene& scene, int axis) {
-  const double thermal = std::sqrt(scene.initial.temperature / scene.species.front().mass);
-  const double stream =
-      scene.initial.velocity.empty() ? 0 : scene.initial.velocity[static_cast<std::size_t>(axis)];
-  const double edge = 5 * thermal + std::abs(stream);
+  const double edge = 5 * thermal_speed(scene) + std::abs(stream_speed(scene, axis));
   return {-edge, edge};
 }
 
@@ -113,7 +115,11 @@ void check_plane(const dsmc::MotionParameters<D>& motion, const ObserverSpec& sp
 
 }  // namespace
 
-bool is_reservoir(const Scene& scene) { return scene.method.preset == "reservoir"; }
+bool is_reservoir(const Scene& scene) { return scene.method.preset == reservoir_preset; }
+
+double thermal_speed(const Scene& scene) {
+  return std::sqrt(scene.initial.temperature / scene.species.front().mass);
+}
 
 template <int D>
 Setup<D> set_up(const Scene& scene, const Mutation& mutation) {
@@ -144,9 +150,8 @@ reservoir::Parameters reservoir_of(const Scene& scene, const Setup<D>& setup) {
   reservoir::Parameters parameters;
   parameters.number_density = number_density(scene, scene.species.front());
   parameters.area = volume(scene.domain) / scene.domain.size[static_cast<std::size_t>(axis)];
-  parameters.stream =
-      scene.initial.velocity.empty() ? 0 : scene.initial.velocity[static_cast<std::size_t>(axis)];
-  parameters.thermal = std::sqrt(scene.initial.temperature / scene.species.front().mass);
+  parameters.stream = stream_speed(scene, axis);
+  parameters.thermal = thermal_speed(scene);
   return parameters;
 }
 }  // namespace

@@ -25,6 +25,9 @@ Setup<D> set_up(const Scene& scene, const Mutation& mutation);
 
 bool is_reservoir(const Scene& scene);
 
+/// sqrt(T/m) of the initial state.
+double thermal_speed(const Scene& scene);
+
 /// The method of the scene, ready to take particles. `planes` must outlive it.
 template <int D>
 std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>& setup,
