@@ -8,4 +8,8 @@ namespace sandglass {
 template <int D>
 using Vector = Eigen::Matrix<double, D, 1>;
 
+/// Angular velocity: one component for disks, three for spheres.
+template <int D>
+using Spin = Eigen::Matrix<double, D == 2 ? 1 : 3, 1>;
+
 }  // namespace sandglass

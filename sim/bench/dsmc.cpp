@@ -64,7 +64,7 @@ void moves(benchmark::State& state, Feature feature) {
   motion.offsets = parameters.offset.any();
   parameters.measure_transfer = feature.transfer;
   Dsmc<D> dsmc(grid, parameters, motion, Streams{}, Purpose::collisions, feature.ids);
-  dsmc.assign(gas<D>(count, edge_cells));
+  dsmc.assign({gas<D>(count, edge_cells), {}, {}, {}});
   std::uint64_t step = 0;
   for (; step < 3; ++step) dsmc.step(dt, step);
   dsmc.tally() = Tally{};

@@ -47,7 +47,7 @@ void equilibrate(std::vector<Phase<D>>& particles, const Scene& scene, const Set
   dsmc::MotionParameters<D> motion = setup.motion;
   motion.gravity.setZero();
   dsmc::Dsmc<D> gas(setup.grid, elastic, motion, streams, Purpose::equilibration);
-  gas.assign(particles);
+  gas.assign({particles, {}, {}, {}});
   TimeStepper<D> stepper(scene, setup);
   const double wanted = scene.initial.equilibrate_collisions * static_cast<double>(particles.size()) / 2;
   for (std::uint64_t step = 0; static_cast<double>(gas.tally().collisions) < wanted; ++step) {
@@ -76,17 +76,17 @@ void set_moving(std::vector<Phase<D>>& particles, const Scene& scene) {
 }  // namespace
 
 template <int D>
-std::vector<Phase<D>> initial_particles(const Scene& scene, const Setup<D>& setup, const Streams& streams) {
+Particles<D> initial_particles(const Scene& scene, const Setup<D>& setup, const Streams& streams) {
   const double thermal = thermal_speed(scene);
   std::vector<Phase<D>> particles = place<D>(scene, setup.particles, streams);
   draw_velocities(particles, thermal, streams);
   if (scene.initial.exact && scene.initial.temperature > 0) make_exact(particles, thermal);
   if (scene.initial.equilibrate_collisions > 0) equilibrate(particles, scene, setup, streams);
   set_moving(particles, scene);
-  return particles;
+  return {std::move(particles), {}, {}, {}};
 }
 
-template std::vector<Phase<2>> initial_particles(const Scene&, const Setup<2>&, const Streams&);
-template std::vector<Phase<3>> initial_particles(const Scene&, const Setup<3>&, const Streams&);
+template Particles<2> initial_particles(const Scene&, const Setup<2>&, const Streams&);
+template Particles<3> initial_particles(const Scene&, const Setup<3>&, const Streams&);
 
 }  // namespace sandglass

@@ -9,6 +9,6 @@ namespace sandglass {
 /// Particles at time zero: placed, Maxwellian, equilibrated by elastic collisions if the scene asks for it, then set
 /// moving with the stream and the shear wave. Throws InputError when the placement cannot be had.
 template <int D>
-std::vector<Phase<D>> initial_particles(const Scene& scene, const Setup<D>& setup, const Streams& streams);
+Particles<D> initial_particles(const Scene& scene, const Setup<D>& setup, const Streams& streams);
 
 }  // namespace sandglass

@@ -13,7 +13,7 @@ namespace {
 
 template <int D>
 std::vector<Phase<D>> start(const Scene& scene, std::uint64_t replica = 0) {
-  return initial_particles<D>(scene, set_up<D>(scene, {}), {scene.run.seed, replica});
+  return initial_particles<D>(scene, set_up<D>(scene, {}), {scene.run.seed, replica}).phases;
 }
 
 template <int D>

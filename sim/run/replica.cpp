@@ -33,7 +33,7 @@ ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutat
 
 template <int D>
 void ReplicaRun<D>::start() {
-  if (!is_reservoir(scene_)) simulator_->assign(initial_particles(scene_, setup_, streams_), {});
+  if (!is_reservoir(scene_)) simulator_->assign(initial_particles(scene_, setup_, streams_));
   for (Watch& watch : watches_) {
     watch.observer->start(view());
     if (watch.observer->measures_at_start()) sample(watch);
@@ -135,7 +135,7 @@ void ReplicaRun<D>::load(const State& state) {
     particles[i].position = Eigen::Map<const Vector<D>>(&state.particles.position[D * i]);
     particles[i].velocity = Eigen::Map<const Vector<D>>(&state.particles.velocity[D * i]);
   }
-  if (!is_reservoir(scene_)) simulator_->assign(particles, state.particles.id);
+  if (!is_reservoir(scene_)) simulator_->assign({std::move(particles), {}, {}, state.particles.id});
   Tally& tally = simulator_->tally();
   tally.collisions = static_cast<std::uint64_t>(state.counters.at("collisions"));
   tally.candidates = static_cast<std::uint64_t>(state.counters.at("candidates"));

@@ -27,11 +27,11 @@ Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionPar
       motion_(make_motion_stage<D>(motion)) {}
 
 template <int D>
-void Dsmc<D>::assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids) {
-  store_.assign(particles, ids);
+void Dsmc<D>::assign(const Particles<D>& particles) {
+  store_.assign(particles.phases, particles.ids);
   if (parameters_.factor.formula != nullptr)
     factor_.emplace(parameters_, store_.grid(), periodic_axes(motion_parameters_),
-                    static_cast<double>(particles.size()));
+                    static_cast<double>(particles.phases.size()));
 }
 
 template <int D>

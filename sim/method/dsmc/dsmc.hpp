@@ -19,7 +19,7 @@ class Dsmc final : public Simulator<D> {
   Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion,
        const Streams& streams, Purpose purpose = Purpose::collisions, bool keep_ids = false);
 
-  void assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids = {}) override;
+  void assign(const Particles<D>& particles) override;
   void step(double dt, std::uint64_t step) override;
   View<D> view() override;
   std::span<const std::uint64_t> ids() const override { return store_.ids(); }

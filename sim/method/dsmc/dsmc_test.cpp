@@ -47,7 +47,7 @@ Grid<D> grid() {
 template <int D>
 Dsmc<D> simulation(const Parameters& parameters, bool keep_ids = false) {
   Dsmc<D> dsmc(grid<D>(), parameters, {}, {}, Purpose::collisions, keep_ids);
-  dsmc.assign(particles<D>());
+  dsmc.assign({particles<D>(), {}, {}, {}});
   return dsmc;
 }
 
@@ -132,7 +132,7 @@ TEST(Dsmc, GoesOnBitwiseFromItsParticles) {
   Dsmc<3> dsmc = simulation<3>(parameters), resumed = simulation<3>(parameters);
   for (std::uint64_t step = 0; step < 10; ++step) dsmc.step(0.1, step);
   const auto half_way = dsmc.view().particles;
-  resumed.assign(std::vector<Phase<3>>(half_way.begin(), half_way.end()));
+  resumed.assign({{half_way.begin(), half_way.end()}, {}, {}, {}});
   for (std::uint64_t step = 10; step < 20; ++step) {
     dsmc.step(0.1, step);
     resumed.step(0.1, step);

@@ -26,7 +26,7 @@ class Reservoir final : public Simulator<D> {
  public:
   Reservoir(const Parameters& parameters, const Streams& streams, std::vector<Plane>* planes);
 
-  void assign(std::span<const Phase<D>>, std::span<const std::uint64_t>) override {}
+  void assign(const Particles<D>&) override {}
   void step(double dt, std::uint64_t step) override;
   View<D> view() override;
   std::span<const std::uint64_t> ids() const override { return {}; }
