@@ -27,6 +27,8 @@ struct ObserverKind : NamedSummary {
 inline constexpr double default_random_offset = 0.5;
 /// The preset that draws from the flux distribution and has no particles in a box.
 inline const std::string reservoir_preset = "reservoir";
+/// The preset that moves hard disks and spheres from event to event.
+inline const std::string event_driven_preset = "event-driven";
 
 const std::vector<Preset>& presets();
 const std::vector<ObserverKind>& observer_kinds();

@@ -1,13 +1,36 @@
 #include "sim/scene/scene.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/scene/catalogue.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
 namespace sandglass {
+
+namespace {
+bool rough(double tangential_restitution) { return tangential_restitution != -1; }
+
+std::uint64_t count_given(const Scene& scene, const Species& species) {
+  const auto match = [&](const GivenParticle& particle) {
+    return particle.species < scene.species.size() && scene.species[particle.species].name == species.name;
+  };
+  return static_cast<std::uint64_t>(std::count_if(scene.given.begin(), scene.given.end(), match));
+}
+}  // namespace
+
+bool is_event_driven(const Scene& scene) { return scene.method.preset == event_driven_preset; }
+
+bool is_rough(const Scene& scene) {
+  const auto surface_rough = [](const auto& item) { return rough(item.surface.tangential_restitution); };
+  return std::any_of(scene.species.begin(), scene.species.end(),
+                     [](const Species& species) { return rough(species.tangential_restitution); }) ||
+         std::any_of(scene.walls.begin(), scene.walls.end(), surface_rough) ||
+         std::any_of(scene.obstacles.begin(), scene.obstacles.end(), surface_rough);
+}
 
 double volume(const Domain& domain) {
   return std::accumulate(domain.size.begin(), domain.size.end(), 1.0, std::multiplies<>());
@@ -19,7 +42,18 @@ double particle_volume(const Species& species, int dimension) {
   return dimension == 2 ? std::numbers::pi / 4 * d * d : std::numbers::pi / 6 * d * d * d;
 }
 
+double largest_diameter(const Scene& scene) {
+  double largest = 0;
+  for (const Species& species : scene.species) largest = std::max(largest, species.diameter);
+  return largest;
+}
+
+double inertia_factor(const Species& species, int dimension) {
+  return species.inertia_factor.value_or(dimension == 2 ? 0.5 : 0.4);
+}
+
 std::uint64_t particle_count(const Scene& scene, const Species& species) {
+  if (!scene.given.empty()) return count_given(scene, species);
   if (species.count) return *species.count;
   const double density = species.number_density ? *species.number_density
                                                 : species.fraction.value_or(0) /
@@ -37,6 +71,22 @@ double number_density(const Scene& scene, const Species& species) {
 
 double fraction(const Scene& scene, const Species& species) {
   return number_density(scene, species) * particle_volume(species, scene.domain.dimension);
+}
+
+std::uint64_t particle_count(const Scene& scene) {
+  constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t total = 0;
+  for (const Species& species : scene.species) {
+    const std::uint64_t count = particle_count(scene, species);
+    total = count > largest - total ? largest : total + count;
+  }
+  return total;
+}
+
+double fraction(const Scene& scene) {
+  double total = 0;
+  for (const Species& species : scene.species) total += fraction(scene, species);
+  return total;
 }
 
 }  // namespace sandglass
