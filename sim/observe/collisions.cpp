@@ -1,5 +1,6 @@
 #include "sim/observe/collisions.hpp"
 
+#include "sim/base/error.hpp"
 #include "sim/observe/axes.hpp"
 #include "sim/observe/sums.hpp"
 
@@ -68,6 +69,58 @@ void Pressure<D>::load(const std::vector<double>& state) {
 }
 
 template <int D>
+Quantity ImpactParameter<D>::quantity() const {
+  ObserverSpec unit;
+  unit.range = {0, 1};
+  unit.bins = bins_;
+  return {"impact-parameter",
+          "collisions",
+          "collisions by impact parameter since the previous sample",
+          {bins_},
+          {},
+          bin_edges(unit),
+          "|b| / d"};
+}
+
+template <int D>
+void ImpactParameter<D>::start(const View<D>& view) {
+  if (view.tally->impact.size() != bins_)
+    throw InputError(
+        "the observer 'impact-parameter' needs a method that finds contacts; use method "
+        "'event-driven' or remove the observer");
+  before_ = view.tally->impact;
+}
+
+template <int D>
+std::vector<double> ImpactParameter<D>::measure(const View<D>& view) {
+  std::vector<double> counts(bins_);
+  for (std::size_t i = 0; i < bins_; ++i)
+    counts[i] = static_cast<double>(view.tally->impact.at(i) - before_[i]);
+  before_ = view.tally->impact;
+  return counts;
+}
+
+template <int D>
+std::vector<double> ImpactParameter<D>::save() const {
+  return {before_.begin(), before_.end()};
+}
+
+template <int D>
+void ImpactParameter<D>::load(const std::vector<double>& state) {
+  for (std::size_t i = 0; i < bins_; ++i) before_[i] = static_cast<std::uint64_t>(state.at(i));
+}
+
+template <int D>
+Quantity Overlap<D>::quantity() const {
+  return {"overlap", "diameters", "deepest overlap at a collision since time zero", {}, {}, {}, ""};
+}
+
+template <int D>
+std::vector<double> Overlap<D>::measure(const View<D>& view) {
+  return {view.tally->deepest_overlap};
+}
+
+template <int D>
 Quantity Crossings<D>::quantity() const {
   return {"crossings",
           "particles",
@@ -99,6 +152,10 @@ template class CollisionCount<2>;
 template class CollisionCount<3>;
 template class Pressure<2>;
 template class Pressure<3>;
+template class ImpactParameter<2>;
+template class ImpactParameter<3>;
+template class Overlap<2>;
+template class Overlap<3>;
 template class Crossings<2>;
 template class Crossings<3>;
 template class CrossingCount<2>;

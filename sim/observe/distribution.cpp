@@ -1,5 +1,6 @@
 #include "sim/observe/distribution.hpp"
 
+#include "sim/base/error.hpp"
 #include "sim/observe/axes.hpp"
 #include "sim/observe/sums.hpp"
 
@@ -27,17 +28,30 @@ Quantity Moments<D>::quantity() const {
 }
 
 template <int D>
-std::vector<double> Moments<D>::measure(const View<D>& view) {
-  const Vector<D> mean = mean_velocity(view);
-  // 4 powers of each component, then 4 of the speed.
-  const auto sum = sum_particles<4 * (D + 1)>(view, [&mean](const Phase<D>& particle) {
+void Moments<D>::start(const View<D>& view) {
+  if (view.particles.size() < 2)
+    throw InputError("the observer 'moments' needs at least 2 particles; remove it, or add particles");
+}
+
+namespace {
+/// Sums over particles: 4 powers of each component of sqrt(m) C, then 4 of its length.
+template <int D, class Masses>
+std::array<double, 4 * (D + 1)> sum_powers(const View<D>& view, const Masses& mass) {
+  const Vector<D> mean = mean_velocity(view, mass);
+  return sum_particles<4 * (D + 1)>(view, [&](const Phase<D>& particle, std::uint32_t i) {
     std::array<double, 4 * (D + 1)> terms;
     const Vector<D> relative = particle.velocity - mean;
     for (int axis = 0; axis < D; ++axis)
-      std::ranges::copy(powers(relative[axis] * relative[axis]), terms.begin() + 4 * axis);
-    std::ranges::copy(powers(relative.squaredNorm()), terms.begin() + 4 * D);
+      std::ranges::copy(powers(mass(i) * relative[axis] * relative[axis]), terms.begin() + 4 * axis);
+    std::ranges::copy(powers(mass(i) * relative.squaredNorm()), terms.begin() + 4 * D);
     return terms;
   });
+}
+}  // namespace
+
+template <int D>
+std::vector<double> Moments<D>::measure(const View<D>& view) {
+  const auto sum = with_masses(view, [&view](const auto& mass) { return sum_powers(view, mass); });
   const auto count = static_cast<double>(view.particles.size());
   const auto moment = [&](int group, int order) {
     return sum[static_cast<std::size_t>(4 * group + order - 1)] / count /
@@ -89,11 +103,13 @@ Quantity ShearMode<D>::quantity() const {
 template <int D>
 std::vector<double> ShearMode<D>::measure(const View<D>& view) {
   const double wavenumber = 2 * M_PI * periods_ / view.box[1];
-  const auto sum = sum_particles<1>(view, [&](const Phase<D>& particle) {
-    const double phase = wavenumber * particle.position[1];
-    return std::array{particle.velocity[0] * (cosine_ ? std::cos(phase) : std::sin(phase))};
+  return with_masses(view, [&](const auto& mass) {
+    const auto sum = sum_particles<1>(view, [&](const Phase<D>& particle, std::uint32_t i) {
+      const double phase = wavenumber * particle.position[1];
+      return std::array{mass(i) * particle.velocity[0] * (cosine_ ? std::cos(phase) : std::sin(phase))};
+    });
+    return std::vector{2 * sum[0] / mass.total};
   });
-  return {2 * sum[0] / static_cast<double>(view.particles.size())};
 }
 
 template class Moments<2>;

@@ -19,9 +19,12 @@ Quantity Energy<D>::quantity() const {
 
 template <int D>
 std::vector<double> Energy<D>::measure(const View<D>& view) {
-  const auto sum = sum_particles<1>(
-      view, [](const Phase<D>& particle) { return std::array{particle.velocity.squaredNorm()}; });
-  return {0.5 * view.weight * view.mass * sum[0]};
+  return with_masses(view, [&view](const auto& mass) {
+    const auto sum = sum_particles<1>(view, [&mass](const Phase<D>& particle, std::uint32_t i) {
+      return std::array{mass(i) * particle.velocity.squaredNorm()};
+    });
+    return std::vector{0.5 * view.weight * mass.unit * sum[0]};
+  });
 }
 
 template <int D>
@@ -52,8 +55,9 @@ Quantity Momentum<D>::quantity() const {
 
 template <int D>
 std::vector<double> Momentum<D>::measure(const View<D>& view) {
-  const Vector<D> momentum =
-      view.weight * view.mass * static_cast<double>(view.particles.size()) * mean_velocity(view);
+  const Vector<D> momentum = with_masses(view, [&view](const auto& mass) -> Vector<D> {
+    return view.weight * mass.unit * mass.total * mean_velocity(view, mass);
+  });
   return {momentum.data(), momentum.data() + D};
 }
 
@@ -64,9 +68,12 @@ Quantity MomentumScale<D>::quantity() const {
 
 template <int D>
 std::vector<double> MomentumScale<D>::measure(const View<D>& view) {
-  const auto sum =
-      sum_particles<1>(view, [](const Phase<D>& particle) { return std::array{particle.velocity.norm()}; });
-  return {view.weight * view.mass * sum[0]};
+  return with_masses(view, [&view](const auto& mass) {
+    const auto sum = sum_particles<1>(view, [&mass](const Phase<D>& particle, std::uint32_t i) {
+      return std::array{mass(i) * particle.velocity.norm()};
+    });
+    return std::vector{view.weight * mass.unit * sum[0]};
+  });
 }
 
 template class Energy<2>;

@@ -1,14 +1,12 @@
 #include "sim/observe/fields.hpp"
 
-#include "sim/observe/axes.hpp"
-
-#include <algorithm>
+#include "sim/observe/masses.hpp"
 
 namespace sandglass {
 
 template <int D>
 Quantity Fields<D>::quantity() const {
-  std::vector<std::size_t> shape = spec_.grid;
+  std::vector<std::size_t> shape = bins_.extents;
   shape.push_back(D + 2);
   return {"fields",
           "length^-D; length time^-1; mass length^2 time^-2",
@@ -20,36 +18,23 @@ Quantity Fields<D>::quantity() const {
 }
 
 template <int D>
-std::size_t Fields<D>::bins() const {
-  std::size_t product = 1;
-  for (std::size_t extent : spec_.grid) product *= extent;
-  return product;
-}
-
-template <int D>
-std::size_t Fields<D>::bin_of(const Vector<D>& position, const Vector<D>& box) const {
-  std::size_t bin = 0;
-  for (int axis = 0; axis < D; ++axis) {
-    const std::size_t extent = spec_.grid[static_cast<std::size_t>(axis)];
-    const auto along = static_cast<std::size_t>(position[axis] / box[axis] * static_cast<double>(extent));
-    bin = bin * extent + std::min(along, extent - 1);
-  }
-  return bin;
-}
-
-template <int D>
-std::vector<double> Fields<D>::measure(const View<D>& view) {
+template <class Masses>
+std::vector<double> Fields<D>::measure(const View<D>& view, const Masses& mass) const {
   struct Sums {
     std::size_t count = 0;
+    double mass = 0;
     Vector<D> mean = Vector<D>::Zero();
-    double squares = 0;  ///< of the velocity relative to the mean (Welford 1962)
+    double squares = 0;  ///< of the velocity relative to the mean (Welford 1962; with masses: West 1979)
   };
-  std::vector<Sums> sums(bins());
-  for (const Phase<D>& particle : view.particles) {
-    Sums& bin = sums[bin_of(particle.position, view.box)];
+  std::vector<Sums> sums(bins_.size());
+  for (std::uint32_t i = 0; i < view.particles.size(); ++i) {
+    const Phase<D>& particle = view.particles[i];
+    Sums& bin = sums[bins_.bin_of(particle.position, view.box)];
     const Vector<D> before = particle.velocity - bin.mean;
-    bin.mean += before / static_cast<double>(++bin.count);
-    bin.squares += before.dot(particle.velocity - bin.mean);
+    ++bin.count;
+    bin.mass += mass(i);
+    bin.mean += mass(i) * before / bin.mass;
+    bin.squares += mass(i) * before.dot(particle.velocity - bin.mean);
   }
   const double density = view.weight * static_cast<double>(sums.size()) / view.box.prod();
   std::vector<double> values;
@@ -57,10 +42,15 @@ std::vector<double> Fields<D>::measure(const View<D>& view) {
   for (const Sums& bin : sums) {
     values.push_back(density * static_cast<double>(bin.count));
     values.insert(values.end(), bin.mean.data(), bin.mean.data() + D);
-    values.push_back(bin.count > 1 ? view.mass * bin.squares / (D * (static_cast<double>(bin.count) - 1))
+    values.push_back(bin.count > 1 ? mass.unit * bin.squares / (D * (static_cast<double>(bin.count) - 1))
                                    : 0);
   }
   return values;
+}
+
+template <int D>
+std::vector<double> Fields<D>::measure(const View<D>& view) {
+  return with_masses(view, [&](const auto& mass) { return measure(view, mass); });
 }
 
 template class Fields<2>;

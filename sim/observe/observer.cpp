@@ -6,6 +6,9 @@
 #include "sim/observe/distribution.hpp"
 #include "sim/observe/energy.hpp"
 #include "sim/observe/fields.hpp"
+#include "sim/observe/pair_correlation.hpp"
+#include "sim/observe/rotation.hpp"
+#include "sim/observe/structure_factor.hpp"
 
 #include <functional>
 #include <map>
@@ -48,6 +51,17 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
        [](Spec spec, std::size_t plane) {
          return list<D>(make_unique<Crossings<D>>(spec, plane), make_unique<CrossingCount<D>>(plane));
        }},
+      {"impact-parameter",
+       [](Spec spec, std::size_t) { return list<D>(make_unique<ImpactParameter<D>>(spec)); }},
+      {"overlap", [](Spec, std::size_t) { return list<D>(make_unique<Overlap<D>>()); }},
+      {"rotational-energy",
+       [](Spec, std::size_t) {
+         return list<D>(make_unique<RotationalEnergy<D>>(), make_unique<RotationalTemperature<D>>());
+       }},
+      {"pair-correlation",
+       [](Spec spec, std::size_t) { return list<D>(make_unique<PairCorrelation<D>>(spec)); }},
+      {"structure-factor",
+       [](Spec spec, std::size_t) { return list<D>(make_unique<StructureFactor<D>>(spec)); }},
       {"fields", [](Spec spec, std::size_t) { return list<D>(make_unique<Fields<D>>(spec)); }},
       {"shear-mode",
        [](Spec spec, std::size_t) {
@@ -61,7 +75,9 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
 }  // namespace
 
 Needs needs_of(const ObserverSpec& spec) {
-  return {.transfer = spec.what == "pressure", .plane = spec.what == "crossings"};
+  return {.transfer = spec.what == "pressure",
+          .plane = spec.what == "crossings",
+          .impact_bins = spec.what == "impact-parameter" ? spec.bins : 0};
 }
 
 std::vector<double> bin_edges(const ObserverSpec& spec) {

@@ -12,8 +12,9 @@ namespace sandglass {
 
 /// What an observer makes the method do besides running. Nothing undeclared is computed.
 struct Needs {
-  bool transfer = false;  ///< Tally::transfer
-  bool plane = false;     ///< a Plane
+  bool transfer = false;        ///< Tally::transfer
+  bool plane = false;           ///< a Plane
+  std::size_t impact_bins = 0;  ///< size of Tally::impact; 0: not counted
 };
 
 /// Measures one quantity. Called at the start of the run (unless it measures over intervals) and at every sample.
@@ -34,7 +35,7 @@ class Observer {
   virtual void load(const std::vector<double>&) {}
 };
 
-/// One observer as the scene asks for it.
+/// One observer as the scene asks for it; each reads what it needs.
 struct ObserverSpec {
   std::string what;
   int axis = 0;

@@ -1,14 +1,16 @@
 #pragma once
 
 #include "sim/base/exact_sum.hpp"
-#include "sim/observe/view.hpp"
+#include "sim/observe/masses.hpp"
 
+#include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace sandglass {
 
-/// Sum of `term(particle)` over all particles: plain within a cell, exact over cells, so that the result depends neither
-/// on the order of the cells nor on how they are shared out.
+/// Sum of `term(particle)`, or of `term(particle, index)`, over all particles: plain within a cell, exact over cells, so
+/// that the result depends neither on the order of the cells nor on how they are shared out.
 template <std::size_t K, int D, class Term>
 std::array<double, K> sum_particles(const View<D>& view, Term term) {
   std::array<ExactSum, K> total;
@@ -16,7 +18,11 @@ std::array<double, K> sum_particles(const View<D>& view, Term term) {
     if (view.offsets[cell] == view.offsets[cell + 1]) continue;
     std::array<double, K> partial{};
     for (std::uint32_t i = view.offsets[cell]; i < view.offsets[cell + 1]; ++i) {
-      const std::array<double, K> value = term(view.particles[i]);
+      std::array<double, K> value;
+      if constexpr (std::is_invocable_v<Term, const Phase<D>&>)
+        value = term(view.particles[i]);
+      else
+        value = term(view.particles[i], i);
       for (std::size_t k = 0; k < K; ++k) partial[k] += value[k];
     }
     for (std::size_t k = 0; k < K; ++k) total[k].add(partial[k]);
@@ -26,36 +32,48 @@ std::array<double, K> sum_particles(const View<D>& view, Term term) {
   return sum;
 }
 
-template <int D>
-Vector<D> mean_velocity(const View<D>& view) {
-  const auto sum = sum_particles<D>(view, [](const Phase<D>& particle) {
-    std::array<double, D> velocity;
-    for (int axis = 0; axis < D; ++axis) velocity[static_cast<std::size_t>(axis)] = particle.velocity[axis];
-    return velocity;
+/// Velocity of the centre of mass.
+template <int D, class Masses>
+Vector<D> mean_velocity(const View<D>& view, const Masses& mass) {
+  const auto sum = sum_particles<D>(view, [&mass](const Phase<D>& particle, std::uint32_t i) {
+    std::array<double, D> momentum;
+    for (int axis = 0; axis < D; ++axis)
+      momentum[static_cast<std::size_t>(axis)] = mass(i) * particle.velocity[axis];
+    return momentum;
   });
   Vector<D> mean;
-  for (int axis = 0; axis < D; ++axis)
-    mean[axis] = sum[static_cast<std::size_t>(axis)] / static_cast<double>(view.particles.size());
+  for (int axis = 0; axis < D; ++axis) mean[axis] = sum[static_cast<std::size_t>(axis)] / mass.total;
   return mean;
 }
 
-/// Granular temperature m<C_i^2> along each axis, C relative to the mean velocity, N - 1 degrees of freedom per axis.
 template <int D>
-Vector<D> temperatures(const View<D>& view) {
-  const Vector<D> mean = mean_velocity(view);
-  const auto sum = sum_particles<D>(view, [&mean](const Phase<D>& particle) {
+Vector<D> mean_velocity(const View<D>& view) {
+  return with_masses(view, [&view](const auto& mass) { return mean_velocity(view, mass); });
+}
+
+template <int D, class Masses>
+Vector<D> temperatures(const View<D>& view, const Masses& mass) {
+  const Vector<D> mean = mean_velocity(view, mass);
+  const auto sum = sum_particles<D>(view, [&](const Phase<D>& particle, std::uint32_t i) {
     std::array<double, D> square;
     for (int axis = 0; axis < D; ++axis) {
       const double relative = particle.velocity[axis] - mean[axis];
-      square[static_cast<std::size_t>(axis)] = relative * relative;
+      square[static_cast<std::size_t>(axis)] = mass(i) * relative * relative;
     }
     return square;
   });
+  const double freedom = std::max(static_cast<double>(view.particles.size()) - 1, 1.0);
   Vector<D> temperature;
   for (int axis = 0; axis < D; ++axis)
-    temperature[axis] =
-        view.mass * sum[static_cast<std::size_t>(axis)] / (static_cast<double>(view.particles.size()) - 1);
+    temperature[axis] = mass.unit * sum[static_cast<std::size_t>(axis)] / freedom;
   return temperature;
+}
+
+/// Granular temperature <m C_i^2> along each axis, C relative to the velocity of the centre of mass, N - 1 degrees of
+/// freedom per axis: without bias for a mixture too, since sum m_i <C_i^2> = N T - T. One particle has temperature 0.
+template <int D>
+Vector<D> temperatures(const View<D>& view) {
+  return with_masses(view, [&view](const auto& mass) { return temperatures(view, mass); });
 }
 
 }  // namespace sandglass

@@ -14,10 +14,11 @@ struct Tally {
   std::uint64_t candidates = 0;    ///< pairs tried
   std::uint64_t bound_raised = 0;  ///< collisions after which the bound on relative speeds had to rise
   std::uint64_t moves = 0;         ///< particle-moves
-  ExactSum
-      transfer;  ///< sum over collisions of the kick times the distance it jumps, m v' . r: collisional virial
+  /// Collisional virial: sum over collisions of J . (r_1 - r_2), J the momentum that particle 1 gains; for a method with
+  /// offsets the sum of m v' . displacement over both partners.
+  ExactSum transfer;
   std::vector<std::uint64_t>
-      impact;  ///< collisions by |b| / d, since the last call of the observer that asked for bins
+      impact;                     ///< collisions since time zero by |b| / d, Needs::impact_bins over [0, 1]
   std::uint64_t crossings = 0;    ///< cell crossings of an event-driven method
   std::uint64_t predictions = 0;  ///< searches for the next collision of a particle
   std::uint64_t guarded = 0;      ///< collisions that a collapse guard made elastic

@@ -1,0 +1,68 @@
+#include "sim/observe/rotation.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/observe/sums.hpp"
+
+namespace sandglass {
+
+namespace {
+constexpr const char* kEnergyUnits = "mass length^2 time^-2";
+
+/// Sum of I w^2 over the simulated particles.
+template <int D>
+double twice_energy(const View<D>& view) {
+  if (view.species.empty())
+    return view.traits[0].inertia * sum_particles<1>(view, [&](const Phase<D>&, std::uint32_t i) {
+             return std::array{view.spins[i].squaredNorm()};
+           })[0];
+  return sum_particles<1>(view, [&](const Phase<D>&, std::uint32_t i) {
+    return std::array{view.traits[view.species[i]].inertia * view.spins[i].squaredNorm()};
+  })[0];
+}
+
+template <int D>
+void require_spins(const View<D>& view) {
+  if (view.spins.empty() || view.traits.empty())
+    throw InputError(
+        "the observer 'rotational-energy' needs particles that spin; give a species "
+        "'tangential-restitution' or remove the observer");
+}
+}  // namespace
+
+template <int D>
+Quantity RotationalEnergy<D>::quantity() const {
+  return {"rotational-energy", kEnergyUnits, "rotational energy of all real particles", {}, {}, {}, ""};
+}
+
+template <int D>
+void RotationalEnergy<D>::start(const View<D>& view) {
+  require_spins(view);
+}
+
+template <int D>
+std::vector<double> RotationalEnergy<D>::measure(const View<D>& view) {
+  return {0.5 * view.weight * twice_energy(view)};
+}
+
+template <int D>
+Quantity RotationalTemperature<D>::quantity() const {
+  return {"rotational-temperature", kEnergyUnits, "rotational granular temperature", {}, {}, {}, ""};
+}
+
+template <int D>
+void RotationalTemperature<D>::start(const View<D>& view) {
+  require_spins(view);
+}
+
+template <int D>
+std::vector<double> RotationalTemperature<D>::measure(const View<D>& view) {
+  constexpr double freedom = Spin<D>::RowsAtCompileTime;
+  return {twice_energy(view) / (freedom * static_cast<double>(view.particles.size()))};
+}
+
+template class RotationalEnergy<2>;
+template class RotationalEnergy<3>;
+template class RotationalTemperature<2>;
+template class RotationalTemperature<3>;
+
+}  // namespace sandglass
