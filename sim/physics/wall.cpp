@@ -1,0 +1,103 @@
+#include "sim/physics/wall.hpp"
+
+#include "sim/physics/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/random/normal_distribution.hpp>
+
+namespace sandglass {
+namespace {
+
+double gaussian(Random& random) { return boost::random::normal_distribution<double>()(random); }
+
+/// Unit vectors along the surface; the axes where the normal is one.
+template <int D>
+Vector<D> tangent(const Vector<D>& normal, int which) {
+  return contact_normal(normal, 1.0, Vector<D - 1>(Vector<D - 1>::Unit(which)));
+}
+
+template <int D>
+void specular(const Surface& surface, const Vector<D>& normal, Vector<D> wall,
+              const WallVisitor<D>& visitor) {
+  const bool rough = visitor.spin && !surface.smooth();
+  Spin<D> still = Spin<D>::Zero(), unused = Spin<D>::Zero();
+  const double inertia = rough ? visitor.inertia : 1;
+  collide<D>(
+      rough ? surface : Surface{surface.normal}, normal,
+      {visitor.velocity, rough ? *visitor.spin : unused, 1 / visitor.mass, 1 / inertia, visitor.radius},
+      {wall, still, 0, 0, 0});
+}
+
+template <int D>
+Vector<D> random_signs(const Vector<D>& along, const Vector<D>& normal, Random& random) {
+  Vector<D> turned = Vector<D>::Zero();
+  for (int i = 0; i < D - 1; ++i) {
+    const Vector<D> axis = tangent<D>(normal, i);
+    turned += (random.uniform() < 0.5 ? -1 : 1) * along.dot(axis) * axis;
+  }
+  return turned;
+}
+
+/// Flux distribution of a gas at rest along the normal (FluxSampler without a stream is Rayleigh's), Maxwell's along the
+/// surface and of the spin.
+template <int D>
+void thermal(double temperature, const Vector<D>& normal, const Vector<D>& wall,
+             const WallVisitor<D>& visitor, Random& random) {
+  const double speed = std::sqrt(temperature / visitor.mass);
+  visitor.velocity = wall + speed * std::sqrt(-2 * std::log(1 - random.uniform())) * normal;
+  for (int i = 0; i < D - 1; ++i) visitor.velocity += speed * gaussian(random) * tangent<D>(normal, i);
+  if (!visitor.spin) return;
+  for (double& component : visitor.spin->reshaped())
+    component = std::sqrt(temperature / visitor.inertia) * gaussian(random);
+}
+
+/// Rounding must not leave the particle on its way into the wall: a push by the last digits.
+template <int D>
+void lift_off(const Vector<D>& normal, const Vector<D>& wall, bool stay, Vector<D>& velocity) {
+  const auto inward = [&] {
+    const double leaving = (velocity - wall).dot(normal);
+    return leaving < 0 || (leaving == 0 && !stay);
+  };
+  double push = std::max(std::numeric_limits<double>::epsilon() * (velocity.norm() + wall.norm()),
+                         std::numeric_limits<double>::min());
+  for (; inward(); push *= 2) velocity += push * normal;
+}
+
+}  // namespace
+
+template <int D>
+void reflect(const WallRule& rule, const Vector<D>& normal, const Vector<D>& wall_velocity,
+             const WallVisitor<D>& visitor, Random& random) {
+  const Vector<D> before = visitor.velocity - wall_velocity;
+  const double approach = -before.dot(normal);
+  if (approach < 0) return;
+  const Vector<D> along = before + approach * normal;
+  const double restitution = rule.surface.normal(approach);
+  const Vector<D> leaving = wall_velocity + restitution * approach * normal;
+  switch (rule.kind) {
+    case WallKind::bounce_back:
+      if (rule.probability >= 1 || random.uniform() < rule.probability) {
+        visitor.velocity = leaving - along;
+        break;
+      }
+      [[fallthrough]];
+    case WallKind::specular:
+      specular<D>(rule.surface, normal, wall_velocity, visitor);
+      break;
+    case WallKind::random_tangential_sign:
+      visitor.velocity = leaving + random_signs<D>(along, normal, random);
+      break;
+    case WallKind::thermal:
+      thermal<D>(rule.temperature, normal, wall_velocity, visitor, random);
+      break;
+  }
+  lift_off<D>(normal, wall_velocity, restitution == 0 && rule.kind != WallKind::thermal, visitor.velocity);
+}
+
+template void reflect<2>(const WallRule&, const Vector<2>&, const Vector<2>&, const WallVisitor<2>&, Random&);
+template void reflect<3>(const WallRule&, const Vector<3>&, const Vector<3>&, const WallVisitor<3>&, Random&);
+
+}  // namespace sandglass
