@@ -47,11 +47,20 @@ std::array<double, 4 * (D + 1)> sum_powers(const View<D>& view, const Masses& ma
     return terms;
   });
 }
+
+template <int D>
+void require_motion(const std::array<double, 4 * (D + 1)>& sum) {
+  for (int axis = 0; axis < D; ++axis)
+    if (sum[static_cast<std::size_t>(4 * axis)] == 0)
+      throw RunError("'moments' are not defined: no particle moves relative to the mean along " +
+                     axis_name(axis) + "; remove the observer 'moments'");
+}
 }  // namespace
 
 template <int D>
 std::vector<double> Moments<D>::measure(const View<D>& view) {
   const auto sum = with_masses(view, [&view](const auto& mass) { return sum_powers(view, mass); });
+  require_motion<D>(sum);
   const auto count = static_cast<double>(view.particles.size());
   const auto moment = [&](int group, int order) {
     return sum[static_cast<std::size_t>(4 * group + order - 1)] / count /

@@ -1,4 +1,6 @@
+#include "sim/base/error.hpp"
 #include "sim/base/random.hpp"
+#include "sim/observe/collisions.hpp"
 #include "sim/observe/distribution.hpp"
 #include "sim/observe/energy.hpp"
 #include "sim/observe/test_view.hpp"
@@ -67,6 +69,22 @@ TEST(Moments, OfAnOctahedron) {
   EXPECT_DOUBLE_EQ(values[2], 9);
   EXPECT_DOUBLE_EQ(values[3], 27);
   for (std::size_t i = 4; i < 7; ++i) EXPECT_DOUBLE_EQ(values[i], 1);
+}
+
+TEST(OneParticle, HasNoTemperatureAndNoMoments) {
+  auto system = random_system<2>(Vector<2>::Constant(4), 1, 9);
+  EXPECT_EQ(Temperature<2>().measure(system.view()), (std::vector<double>{0, 0, 0}));
+  Pressure<2> pressure;
+  pressure.start(system.view());
+  system.time = 1;
+  EXPECT_EQ(pressure.measure(system.view())[2], 0);
+  EXPECT_THROW(Moments<2>().start(system.view()), InputError);
+}
+
+TEST(Moments, AlongALineAreRefused) {
+  TestSystem<2> system;
+  system.add_cell({{{1, 1}, {1, 0}}, {{1, 1}, {-1, 0}}});
+  EXPECT_THROW(Moments<2>().measure(system.view()), RunError);
 }
 
 TEST(VelocityHistogram, OuterBinsTakeWhatLiesBeyond) {

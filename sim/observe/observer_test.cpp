@@ -4,6 +4,8 @@
 #include "sim/observe/fields.hpp"
 #include "sim/observe/test_view.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace sandglass {
@@ -68,22 +70,32 @@ TEST(BinEdges, AreEquallyFarApart) {
   EXPECT_EQ(bin_edges(spec), (std::vector<double>{-1, 0, 1, 2}));
 }
 
-const char* const kWords[] = {"energy",     "temperature", "momentum",  "moments", "velocity-histogram",
-                              "collisions", "pressure",    "crossings", "fields",  "shear-mode"};
+const char* const kWords[] = {
+    "energy",           "temperature", "momentum",          "moments",          "velocity-histogram",
+    "collisions",       "pressure",    "crossings",         "fields",           "shear-mode",
+    "impact-parameter", "overlap",     "rotational-energy", "pair-correlation", "structure-factor"};
 
 template <int D>
 void expect_shape_as_declared() {
   TestSystem<D> system;
   system.add_cell(
-      {{Vector<D>::Constant(1), Vector<D>::Unit(0)}, {Vector<D>::Constant(2), -Vector<D>::Unit(1)}});
+      {{Vector<D>::Constant(1), Vector<D>::Ones()}, {Vector<D>::Constant(2), -Vector<D>::Unit(1)}});
+  system.spins = {Spin<D>::Ones(), Spin<D>::Ones()};
+  system.traits.resize(1);
   for (const char* word : kWords) {
     ObserverSpec spec = spec_of(word);
-    spec.grid.resize(D, 2);
+    spec.grid.assign(D, 8);
+    spec.range = {0, 2};
+    spec.bins = 4;
+    system.tally.impact.resize(needs_of(spec).impact_bins);
     system.planes.assign(1, Plane(0, 1, bin_edges(spec)));
     for (const auto& observer : make_observers<D>(spec, 0)) {
+      observer->start(system.view());
       system.time += 1;
       const Quantity quantity = observer->quantity();
-      EXPECT_EQ(observer->measure(system.view()).size(), quantity.size()) << word;
+      const auto values = observer->measure(system.view());
+      EXPECT_EQ(values.size(), quantity.size()) << word;
+      for (double value : values) EXPECT_TRUE(std::isfinite(value)) << word;
       EXPECT_FALSE(quantity.name.empty() || quantity.units.empty() || quantity.summary.empty()) << word;
       if (!quantity.components.empty()) {
         EXPECT_EQ(quantity.components.size(), quantity.size()) << word;
@@ -104,6 +116,7 @@ TEST(Observers, DeclareWhatTheyNeed) {
   for (const char* word : kWords) {
     EXPECT_EQ(needs_of(spec_of(word)).transfer, std::string(word) == "pressure");
     EXPECT_EQ(needs_of(spec_of(word)).plane, std::string(word) == "crossings");
+    EXPECT_EQ(needs_of(spec_of(word)).impact_bins, std::string(word) == "impact-parameter" ? 64u : 0u);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/base/random.hpp"
 #include "sim/observe/view.hpp"
 
 #include <vector>
@@ -11,6 +12,9 @@ template <int D>
 struct TestSystem {
   std::vector<Phase<D>> particles;
   std::vector<std::uint32_t> offsets{0};
+  std::vector<Spin<D>> spins;
+  std::vector<std::uint8_t> species;
+  std::vector<SpeciesTraits> traits;
   Tally tally;
   std::vector<Plane> planes;
   Vector<D> box = Vector<D>::Constant(4);
@@ -24,6 +28,9 @@ struct TestSystem {
     View<D> view;
     view.particles = particles;
     view.offsets = offsets;
+    view.spins = spins;
+    view.species = species;
+    view.traits = traits;
     view.box = box;
     view.mass = mass;
     view.weight = weight;
@@ -33,5 +40,26 @@ struct TestSystem {
     return view;
   }
 };
+
+/// Independent particles, uniform over the box, with velocities uniform in a cube around (1, 0, ...); seven a cell.
+template <int D>
+TestSystem<D> random_system(const Vector<D>& box, std::size_t count, std::uint64_t seed) {
+  Random random(StreamKey(seed, Purpose::positions, D, 0), 0);
+  TestSystem<D> system;
+  system.box = box;
+  std::vector<Phase<D>> cell;
+  for (std::size_t i = 1; i <= count; ++i) {
+    Phase<D> particle{Vector<D>::Zero(), Vector<D>::Unit(0)};
+    for (int axis = 0; axis < D; ++axis) {
+      particle.position[axis] = box[axis] * random.uniform();
+      particle.velocity[axis] += 2 * random.uniform() - 1;
+    }
+    cell.push_back(particle);
+    if (i % 7 != 0 && i != count) continue;
+    system.add_cell(cell);
+    cell.clear();
+  }
+  return system;
+}
 
 }  // namespace sandglass
