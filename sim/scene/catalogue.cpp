@@ -44,6 +44,9 @@ const std::vector<Preset>& presets() {
       {{reservoir_preset,
         "no box: velocities of an ideal-gas stream through a plane, from the flux distribution"},
        ContactFactor::none,
+       Offset::none},
+      {{event_driven_preset, "exact event-driven hard disks and spheres"},
+       ContactFactor::none,
        Offset::none}};
   return list;
 }
@@ -61,7 +64,26 @@ const std::vector<ObserverKind>& observer_kinds() {
       {{"crossings", "normal velocities of the particles that cross a plane, and how many each way"},
        {"axis", "position", "range", "bins"}},
       {{"fields", "number density, mean velocity and granular temperature on a grid of bins"}, {"grid"}},
-      {{"shear-mode", "amplitude of the velocity along x as a sine of y"}, {}}};
+      {{"shear-mode", "amplitude of the velocity along x as a sine of y"}, {}},
+      {{"rotational-energy", "rotational energy of all particles, and their rotational granular temperature"},
+       {},
+       false,
+       true},
+      {{"impact-parameter",
+        "histogram of the impact parameter of the collisions, in units of the contact distance"},
+       {"bins"},
+       true},
+      {{"overlap", "deepest overlap met so far at a collision, in diameters"}, {}, true},
+      {{pair_correlation, "pair correlation g(r) over the distance of two particles"},
+       {"range", "bins"},
+       false,
+       false,
+       true},
+      {{"structure-factor", "structure factor S(k) over the magnitude of the wave vector"},
+       {"grid", "bins"},
+       false,
+       false,
+       true}};
   return list;
 }
 

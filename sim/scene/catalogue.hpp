@@ -21,6 +21,9 @@ struct Preset : NamedSummary {
 /// What can be observed, and the keys of [[observe]] beside `what` and `every` that it uses.
 struct ObserverKind : NamedSummary {
   std::vector<std::string> keys;
+  bool event_driven_only = false;
+  bool rough_only = false;     ///< needs particles whose spin changes
+  bool periodic_only = false;  ///< needs a domain that is periodic along every axis
 };
 
 /// Length of the random offset, in diameters, of a scene that asks for one without saying how long.
@@ -29,6 +32,8 @@ inline constexpr double default_random_offset = 0.5;
 inline const std::string reservoir_preset = "reservoir";
 /// The preset that moves hard disks and spheres from event to event.
 inline const std::string event_driven_preset = "event-driven";
+/// The observer whose range is one of distances.
+inline const std::string pair_correlation = "pair-correlation";
 
 const std::vector<Preset>& presets();
 const std::vector<ObserverKind>& observer_kinds();

@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "sim/scene/catalogue.hpp"
 #include "sim/scene/scene.hpp"
+#include "sim/scene/words.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -37,12 +38,24 @@ TEST(Document, KeepsTheOrderAndThePlacesOfTheText) {
   EXPECT_EQ(list.items.at(1).place, (Place{3, 13}));
 }
 
+void add_event_driven(Scene& scene) {
+  scene.method.preset = event_driven_preset;
+  const auto rules = surface_kind_words();
+  for (const auto& [name, rule] : rules) {
+    const SurfaceRule surface{rule, 1, 1, 1.0, 1, 1};
+    scene.walls.push_back({0, false, surface, {1, 0, 0}, 1, 1});
+    scene.obstacles.push_back({{1, 1, 1}, 1, surface});
+  }
+  scene.output.event_trace = "x";
+  scene.given = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0}};
+}
+
 /// Every key that the writer knows stands in the reference.
 TEST(Reference, NamesEveryKeyPresetAndObserver) {
   const std::string text = reference();
   Scene scene;
   scene.domain = {3, {1, 1, 1}, {{}, {}, {}}};
-  scene.species.emplace_back() = {"a", 3, 0.1, 0.1, 1, 1, 1};
+  scene.species.emplace_back() = {"a", 3, 0.1, 0.1, 1, 1, 1, 0, 1.0, 1.0};
   scene.method.offset = Offset::random;
   scene.method.cells = {1, 1, 1};
   scene.method.cell_size = 1;
@@ -54,6 +67,14 @@ TEST(Reference, NamesEveryKeyPresetAndObserver) {
   for (Observe& observe : scene.observe) observe.range = {{0, 1}};
   std::set<std::string> words;
   collect_keys(parse_document(write_scene(scene), ""), words);
+  add_event_driven(scene);
+  for (const CollapseGuard guard : {CollapseGuard::contact_time, CollapseGuard::velocity_dependent}) {
+    scene.method.guard = guard;
+    collect_keys(parse_document(write_scene(scene), ""), words);
+  }
+  for (const std::string& name : names_of(surface_kind_words())) words.insert('"' + name + '"');
+  for (const std::string& name : names_of(guard_words())) words.insert('"' + name + '"');
+  for (const std::string& name : names_of(positions_words())) words.insert('"' + name + '"');
   for (const std::string& name : preset_names()) words.insert(name);
   for (const std::string& word : words) EXPECT_TRUE(text.find("`" + word + "`") != text.npos) << word;
   for (const NamedSummary& observer : observer_summaries())

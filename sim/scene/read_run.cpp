@@ -16,6 +16,7 @@ void read_output(Table& table, Output& output) {
   read_cadence(table, "trajectory", output.trajectory);
   table.read("ids", output.ids);
   read_cadence(table, "checkpoint", output.checkpoint);
+  table.read("event-trace", output.event_trace);
   table.finish();
 }
 

@@ -23,17 +23,40 @@ void report_missing_tables(Table& root) {
     root.report_missing("species", "describe the particles in a table headed [[species]]");
 }
 
+/// Whether positions = "given"; where the word is faulty, whether there are particles.
+bool read_initial_section(Table& root, Initial& initial) {
+  bool given = false;
+  if (std::optional<Table> table = root.table("initial")) given = read_initial(*table, initial);
+  return root.clean("initial.positions") ? given : root.has("particle");
+}
+
+void read_particles(Table& root, bool given, int dimension, Scene& scene) {
+  if (!given) {
+    root.refuse("particle", "is used with positions = \"given\" in [initial] only");
+    return;
+  }
+  const std::vector<Species>* species = root.clean("species") ? &scene.species : nullptr;
+  for (Table& table : root.tables("particle"))
+    read_particle(table, dimension, species, scene.given.emplace_back());
+  if (scene.given.empty() && root.clean("particle"))
+    root.report_missing("particle", "positions = \"given\" needs a table headed [[particle]] for each one");
+}
+
 Scene read_tables(Table& root) {
   Scene scene;
   report_missing_tables(root);
   root.read("title", scene.title);
   read_section(root, "run", read_run, scene.run);
   read_section(root, "domain", read_domain, scene.domain);
+  const bool given = read_initial_section(root, scene.initial);
   const int dimension = root.clean("domain.dimension") ? scene.domain.dimension : 0;
-  for (Table& table : root.tables("species")) read_species(table, dimension, scene.species.emplace_back());
+  for (Table& table : root.tables("species"))
+    read_species(table, dimension, given, scene.species.emplace_back());
   read_section(root, "method", read_method, scene.method);
   read_section(root, "forces", read_forces, scene.gravity);
-  read_section(root, "initial", read_initial, scene.initial);
+  for (Table& table : root.tables("wall")) read_wall(table, scene.walls.emplace_back());
+  for (Table& table : root.tables("obstacle")) read_obstacle(table, scene.obstacles.emplace_back());
+  read_particles(root, given, dimension, scene);
   for (Table& table : root.tables("observe")) read_observe(table, scene.observe.emplace_back());
   read_section(root, "output", read_output, scene.output);
   root.finish();

@@ -10,11 +10,17 @@ namespace sandglass {
 
 void read_run(Table& table, Run& run);
 void read_domain(Table& table, Domain& domain);
-/// `dimension` decides between area and volume fraction; 0 when the domain does not tell it.
-void read_species(Table& table, int dimension, Species& species);
+/// `dimension` decides between area and volume fraction; 0 when the domain does not tell it. `given`: the
+/// particles are listed one by one, and the species takes no amount.
+void read_species(Table& table, int dimension, bool given, Species& species);
 void read_method(Table& table, Method& method);
 void read_forces(Table& table, std::vector<double>& gravity);
-void read_initial(Table& table, Initial& initial);
+void read_wall(Table& table, Wall& wall);
+void read_obstacle(Table& table, Obstacle& obstacle);
+/// True when positions = "given".
+bool read_initial(Table& table, Initial& initial);
+/// `species`: what the particle may name; nullptr when that is not known.
+void read_particle(Table& table, int dimension, const std::vector<Species>* species, GivenParticle& particle);
 void read_observe(Table& table, Observe& observe);
 void read_output(Table& table, Output& output);
 

@@ -15,9 +15,11 @@ void read_fraction(Table& table, int dimension, Species& species) {
   table.refuse(wrong, "cannot be used in " + std::to_string(dimension) + " dimensions: use '" + right + "'");
 }
 
+const std::vector<std::string> amounts = {"count", "area-fraction", "volume-fraction", "number-density"};
+
 void keep_one_amount(Table& table) {
   std::vector<std::string> given;
-  for (const std::string key : {"count", "area-fraction", "volume-fraction", "number-density"})
+  for (const std::string& key : amounts)
     if (table.has(key)) given.push_back(key);
   const std::string choice =
       "give exactly one of 'count', 'area-fraction' (2D), 'volume-fraction' (3D) or 'number-density'";
@@ -25,17 +27,26 @@ void keep_one_amount(Table& table) {
   for (std::size_t i = 1; i < given.size(); ++i)
     table.refuse(given[i], "is given beside '" + given[0] + "'; " + choice);
 }
-}  // namespace
 
-void read_species(Table& table, int dimension, Species& species) {
-  table.read("name", species.name);
+void read_amount(Table& table, int dimension, Species& species) {
   table.read("count", species.count);
   read_fraction(table, dimension, species);
   table.read("number-density", species.number_density);
   keep_one_amount(table);
+}
+}  // namespace
+
+void read_species(Table& table, int dimension, bool given, Species& species) {
+  table.read("name", species.name);
+  if (!given) read_amount(table, dimension, species);
+  for (const std::string& key : amounts)
+    if (given) table.refuse(key, "cannot be used with positions = \"given\": it follows from [[particle]]");
   table.read("diameter", species.diameter);
   table.read("mass", species.mass);
   table.read("restitution", species.restitution);
+  table.read("tangential-restitution", species.tangential_restitution);
+  table.read("friction", species.friction);
+  table.read("moment-of-inertia", species.inertia_factor);
   table.finish();
 }
 

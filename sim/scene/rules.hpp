@@ -3,6 +3,7 @@
 #include "sim/scene/diagnostics.hpp"
 #include "sim/scene/scene.hpp"
 
+#include <optional>
 #include <string>
 
 // What the values of a scene may be: alone (bounds) and together. Each rule reports and goes on, so that one
@@ -24,6 +25,14 @@ void check_initial(const Scene& scene, Diagnostics& diagnostics);
 void check_overlap(const Scene& scene, Diagnostics& diagnostics);
 void check_observers(const Scene& scene, Diagnostics& diagnostics);
 void check_reservoir(const Scene& scene, Diagnostics& diagnostics);
+void check_walls(const Scene& scene, Diagnostics& diagnostics);
+void check_obstacles(const Scene& scene, Diagnostics& diagnostics);
+void check_given(const Scene& scene, Diagnostics& diagnostics);
+void check_spins(const Scene& scene, Diagnostics& diagnostics);
+void check_event_driven(const Scene& scene, Diagnostics& diagnostics);
+
+void check_rough(double tangential_restitution, const std::optional<double>& friction,
+                 const std::string& path, Diagnostics& diagnostics);
 
 /// "area-fraction" in two dimensions, "volume-fraction" in three.
 std::string fraction_key(int dimension);

@@ -20,6 +20,7 @@ void check_shear_wave(const Scene& scene, Diagnostics& diagnostics) {
 void check_initial(const Scene& scene, Diagnostics& diagnostics) {
   const Initial& initial = scene.initial;
   check_bounds(diagnostics, "initial.temperature", initial.temperature, positive());
+  check_bounds(diagnostics, "initial.spin-temperature", initial.spin_temperature, at_least(0));
   check_bounds(diagnostics, "initial.equilibrate-collisions-per-particle", initial.equilibrate_collisions,
                at_least(0));
   if (!initial.velocity.empty())
@@ -35,7 +36,7 @@ void check_overlap(const Scene& scene, Diagnostics& diagnostics) {
   if (scene.initial.positions != Positions::random_without_overlap || scene.species.empty()) return;
   const std::string path = "initial.positions";
   const double highest = scene.domain.dimension == 2 ? 0.5 : 0.3;
-  const double value = fraction(scene, scene.species.front());
+  const double value = fraction(scene);
   if (value > highest)
     diagnostics.report(
         path, fmt::format("random insertion without overlap reaches a fraction of {} at most; this scene "

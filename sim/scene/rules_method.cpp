@@ -38,6 +38,19 @@ void check_offset(const Scene& scene, Diagnostics& diagnostics) {
                           shown(path), restitution, least_corrected));
   }
 }
+
+void check_guard(const Method& method, Diagnostics& diagnostics) {
+  const auto check = [&](const std::string& key, double value, CollapseGuard user) {
+    const std::string path = "method." + key;
+    if (!diagnostics.clean(path)) return;
+    if (method.guard == user)
+      check_bounds(diagnostics, path, value, positive());
+    else if (value != 0)
+      diagnostics.report(path, shown(path) + " is not used by this collapse guard; leave it at 0");
+  };
+  check("contact-time", method.contact_time, CollapseGuard::contact_time);
+  check("reference-speed", method.reference_speed, CollapseGuard::velocity_dependent);
+}
 }  // namespace
 
 void check_method(const Scene& scene, Diagnostics& diagnostics) {
@@ -48,6 +61,7 @@ void check_method(const Scene& scene, Diagnostics& diagnostics) {
     diagnostics.report("method.density", "'method.density' is used with contact-factor = \"local\" only");
   check_offset(scene, diagnostics);
   check_time_step(method.time_step, diagnostics);
+  check_guard(method, diagnostics);
   check_bounds(diagnostics, "method.weight", method.weight, positive());
   if (method.cell_size) check_bounds(diagnostics, "method.cell-size", *method.cell_size, positive());
 }

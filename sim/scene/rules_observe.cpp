@@ -4,6 +4,8 @@
 #include "sim/scene/rules.hpp"
 #include "sim/scene/words.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace sandglass {
@@ -61,6 +63,36 @@ void check_grid(const Observe& observe, int dimension, const std::string& path, 
                                                    shown(path + ".grid"), total, most_field_bins));
 }
 
+/// Distances are those of nearest images: beyond half an edge some pairs would be missed.
+void check_distances(const Observe& observe, const Domain& domain, const std::string& path,
+                     Diagnostics& diagnostics) {
+  if (!observe.range || !diagnostics.clean(path + ".range")) return;
+  const auto [low, high] = *observe.range;
+  const double most = *std::min_element(domain.size.begin(), domain.size.end()) / 2;
+  if (low >= 0 && high <= most) return;
+  diagnostics.report(path + ".range",
+                     fmt::format("{} goes from {} to {}; distances are allowed from 0 to half the shortest "
+                                 "edge, {}",
+                                 shown(path + ".range"), low, high, most));
+}
+
+/// What the observer needs of the rest of the scene.
+void check_setting(const ObserverKind& kind, const Scene& scene, const std::string& path,
+                   Diagnostics& diagnostics) {
+  const auto refuse = [&](const std::string& need) {
+    diagnostics.report(path + ".what", fmt::format("the observer '{}' needs {}", kind.name, need));
+  };
+  if (kind.event_driven_only && diagnostics.clean("method.preset") && !is_event_driven(scene))
+    refuse("the method 'event-driven'");
+  if (kind.rough_only && diagnostics.clean("species") && diagnostics.clean("wall") &&
+      diagnostics.clean("obstacle") && !is_rough(scene))
+    refuse("rough contacts: give 'tangential-restitution' above -1 to a species, wall or obstacle");
+  const auto walled = [](const auto& sides) { return sides[0] != Side::periodic; };
+  if (kind.periodic_only && diagnostics.clean("domain.sides") &&
+      std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(), walled))
+    refuse("a domain that is periodic along every axis");
+}
+
 void check_shear_mode(const Domain& domain, const std::string& path, Diagnostics& diagnostics) {
   if (!diagnostics.clean("domain.sides")) return;
   if (domain.sides[0][0] == Side::periodic && domain.sides[1][0] == Side::periodic) return;
@@ -68,15 +100,19 @@ void check_shear_mode(const Domain& domain, const std::string& path, Diagnostics
                      "the observer 'shear-mode' needs a domain that is periodic along x and y");
 }
 
-void check_observer(const Observe& observe, const Domain& domain, const std::string& path,
+void check_observer(const Observe& observe, const Scene& scene, const std::string& path,
                     Diagnostics& diagnostics) {
-  if (!find_observer(observe.what))
+  const Domain& domain = scene.domain;
+  const ObserverKind* kind = find_observer(observe.what);
+  if (!kind)
     return diagnostics.report(path + ".what", unknown_word("observer", observe.what, observer_names()));
   const auto uses = [&observe](const char* key) { return observer_uses(observe.what, key); };
   const bool axis_known = !uses("axis") || check_axis(observe, domain.dimension, path, diagnostics);
   if (uses("position") && axis_known) check_plane(observe, domain, path, diagnostics);
   if (uses("bins")) check_bins(observe, path, diagnostics);
   if (uses("grid")) check_grid(observe, domain.dimension, path, diagnostics);
+  if (observe.what == pair_correlation) check_distances(observe, domain, path, diagnostics);
+  check_setting(*kind, scene, path, diagnostics);
   if (observe.what == "shear-mode") check_shear_mode(domain, path, diagnostics);
 }
 
@@ -90,7 +126,7 @@ void check_observers(const Scene& scene, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < scene.observe.size(); ++i) {
     const std::string path = item_path("observe", i);
     if (!diagnostics.clean(path + ".what")) continue;
-    check_observer(scene.observe[i], scene.domain, path, diagnostics);
+    check_observer(scene.observe[i], scene, path, diagnostics);
     for (std::size_t j = 0; j < i; ++j)
       if (same_name(scene.observe[i], scene.observe[j])) {
         diagnostics.report(

@@ -20,6 +20,7 @@ void check_stream(const Scene& scene, Faults& faults) {
   for (std::size_t axis = 0; axis < scene.domain.sides.size(); ++axis)
     faults.when(scene.domain.sides[axis][0] != Side::periodic, "domain.sides",
                 "has no walls; remove [domain.sides]");
+  faults.when(!scene.given.empty(), "particle", "has no particles; remove them");
   faults.when(!scene.gravity.empty(), "forces.gravity", "knows no gravity; remove it");
   const Initial plain;
   const Initial& initial = scene.initial;

@@ -11,10 +11,10 @@ namespace sandglass {
 /// specular: the collision rule, with the surface as a partner of infinite mass; bounce_back: reversed as a
 /// whole with `probability`, else specular; random_tangential_sign: specular, and each tangential component
 /// keeps or turns its sign at random; thermal: drawn anew from the flux distribution at `temperature`.
-enum class WallRule { specular, bounce_back, random_tangential_sign, thermal };
+enum class SurfaceKind { specular, bounce_back, random_tangential_sign, thermal };
 
 struct SurfaceRule {
-  WallRule rule = WallRule::specular;
+  SurfaceKind rule = SurfaceKind::specular;
   double restitution = 1;               ///< normal; not for thermal
   double tangential_restitution = -1;   ///< specular: -1 is smooth
   std::optional<double> friction = {};  ///< specular: Coulomb coefficient; none: always sticking

@@ -31,10 +31,38 @@ const Words<Offset>& offset_words() {
   return words;
 }
 
-const Words<Positions>& positions_words() {
-  static const Words<Positions> words = {{"random", Positions::random},
-                                         {"lattice", Positions::lattice},
-                                         {"random-without-overlap", Positions::random_without_overlap}};
+const Words<CollapseGuard>& guard_words() {
+  static const Words<CollapseGuard> words = {{"none", CollapseGuard::none},
+                                             {"contact-time", CollapseGuard::contact_time},
+                                             {"velocity-dependent", CollapseGuard::velocity_dependent}};
+  return words;
+}
+
+const Words<std::optional<Positions>>& positions_words() {
+  static const Words<std::optional<Positions>> words = {
+      {"random", Positions::random},
+      {"lattice", Positions::lattice},
+      {"random-without-overlap", Positions::random_without_overlap},
+      {"given", std::nullopt}};
+  return words;
+}
+
+const Words<SurfaceKind>& surface_kind_words() {
+  static const Words<SurfaceKind> words = {{"specular", SurfaceKind::specular},
+                                           {"bounce-back", SurfaceKind::bounce_back},
+                                           {"random-tangential-sign", SurfaceKind::random_tangential_sign},
+                                           {"thermal", SurfaceKind::thermal}};
+  return words;
+}
+
+const Words<std::pair<int, bool>>& wall_side_words() {
+  static const Words<std::pair<int, bool>> words = [] {
+    Words<std::pair<int, bool>> sides;
+    for (const auto& [name, axis] : axis_words())
+      for (const bool high : {false, true})
+        sides.emplace_back(name + (high ? "-high" : "-low"), std::pair{axis, high});
+    return sides;
+  }();
   return words;
 }
 

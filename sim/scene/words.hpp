@@ -3,6 +3,7 @@
 #include "sim/scene/scene.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,10 @@ const Words<Side>& side_words();
 const Words<ContactFactor>& contact_factor_words();
 const Words<DensityEstimate>& density_words();
 const Words<Offset>& offset_words();
-const Words<Positions>& positions_words();
+const Words<CollapseGuard>& guard_words();
+const Words<std::optional<Positions>>& positions_words();  ///< none: "given"
+const Words<SurfaceKind>& surface_kind_words();
+const Words<std::pair<int, bool>>& wall_side_words();  ///< "x-low": axis, high
 
 template <class Value>
 std::string word_of(const Words<Value>& words, Value value) {

@@ -1,6 +1,6 @@
 #include "sim/scene/catalogue.hpp"
 #include "sim/scene/rules.hpp"
-#include "sim/scene/write_value.hpp"
+#include "sim/scene/write_sections.hpp"
 
 #include <fmt/format.h>
 
@@ -34,29 +34,50 @@ void write_species(Lines& lines, const Species& species, int dimension) {
   lines.add("diameter", species.diameter);
   lines.add("mass", species.mass);
   lines.add("restitution", species.restitution);
+  lines.add("tangential-restitution", species.tangential_restitution);
+  lines.add("friction", species.friction);
+  lines.add("moment-of-inertia", species.inertia_factor);
 }
 
-void write_method(Lines& lines, const Method& method) {
-  lines.header("[method]");
-  lines.add("preset", method.preset);
+void write_guard(Lines& lines, const Method& method) {
+  lines.add("collapse-guard", word_of(guard_words(), method.guard));
+  if (method.guard == CollapseGuard::contact_time) lines.add("contact-time", method.contact_time);
+  if (method.guard == CollapseGuard::velocity_dependent) lines.add("reference-speed", method.reference_speed);
+}
+
+void write_policies(Lines& lines, const Method& method) {
   lines.add("contact-factor", word_of(contact_factor_words(), method.contact_factor));
   lines.add("density", word_of(density_words(), method.density));
   lines.add("offset", word_of(offset_words(), method.offset));
   if (method.offset == Offset::random) lines.add("random-offset", method.random_offset);
   if (!method.cells.empty()) lines.add("cells", method.cells);
   lines.add("cell-size", method.cell_size);
+}
+
+void write_method(Lines& lines, const Scene& scene) {
+  const Method& method = scene.method;
+  lines.header("[method]");
+  lines.add("preset", method.preset);
+  if (is_event_driven(scene))
+    write_guard(lines, method);
+  else
+    write_policies(lines, method);
   lines.add("time-step", method.time_step);
   lines.add("weight", method.weight);
 }
 
-void write_initial(Lines& lines, const Initial& initial) {
+void write_initial(Lines& lines, const Scene& scene) {
+  const Initial& initial = scene.initial;
+  const bool given = !scene.given.empty();
   lines.header("[initial]");
-  lines.add("positions", word_of(positions_words(), initial.positions));
+  lines.add("positions", word_of(positions_words(), given ? std::nullopt : std::optional(initial.positions)));
+  if (given) return;
   lines.add("temperature", initial.temperature);
   if (!initial.velocity.empty()) lines.add("velocity", initial.velocity);
   lines.add("exact", initial.exact);
   lines.add("shear-wave", initial.shear_wave);
   lines.add("equilibrate-collisions-per-particle", initial.equilibrate_collisions);
+  lines.add("spin-temperature", initial.spin_temperature);
 }
 
 void write_observe(Lines& lines, const Observe& observe) {
@@ -77,6 +98,7 @@ void write_output(Lines& lines, const Output& output) {
   lines.add("trajectory", output.trajectory);
   lines.add("ids", output.ids);
   lines.add("checkpoint", output.checkpoint);
+  lines.add("event-trace", output.event_trace);
 }
 }  // namespace
 
@@ -86,12 +108,15 @@ std::string write_scene(const Scene& scene) {
   write_run(lines, scene.run);
   write_domain(lines, scene.domain);
   for (const Species& species : scene.species) write_species(lines, species, scene.domain.dimension);
-  write_method(lines, scene.method);
+  for (const Wall& wall : scene.walls) write_wall(lines, wall);
+  for (const Obstacle& obstacle : scene.obstacles) write_obstacle(lines, obstacle);
+  write_method(lines, scene);
   if (!scene.gravity.empty()) {
     lines.header("[forces]");
     lines.add("gravity", scene.gravity);
   }
-  write_initial(lines, scene.initial);
+  write_initial(lines, scene);
+  for (const GivenParticle& particle : scene.given) write_particle(lines, particle, scene);
   for (const Observe& observe : scene.observe) write_observe(lines, observe);
   write_output(lines, scene.output);
   return lines.text();

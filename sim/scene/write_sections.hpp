@@ -1,0 +1,14 @@
+#pragma once
+
+#include "sim/scene/write_value.hpp"
+
+// The tables of a scene that hold what is beside the particles' own kind; the rest stands in write_scene.cpp.
+
+namespace sandglass {
+
+void write_wall(Lines& lines, const Wall& wall);
+void write_obstacle(Lines& lines, const Obstacle& obstacle);
+/// The particle names its species as the scene does.
+void write_particle(Lines& lines, const GivenParticle& particle, const Scene& scene);
+
+}  // namespace sandglass
