@@ -60,11 +60,10 @@ void check_box(const Scene& scene, Diagnostics& diagnostics) {
     if (periodic ? edge >= least : edge > least) continue;
     const std::string path = item_path("domain.size", axis);
     diagnostics.report(
-        path,
-        fmt::format("{} is {} along {}; with the method 'event-driven' a {} axis must be {} {} long, {} of "
-                    "the largest diameter: use a larger domain or smaller particles",
-                    shown(path), edge, axis_words()[axis].first, periodic ? "periodic" : "walled",
-                    periodic ? "at least" : "more than", least, periodic ? "4 times" : "once"));
+        path, fmt::format("{} is {} along {}; with the method 'event-driven' a {} axis must be {} {} long, {}"
+                          "the largest diameter: use a larger domain or smaller particles",
+                          shown(path), edge, axis_words()[axis].first, periodic ? "periodic" : "walled",
+                          periodic ? "at least" : "more than", least, periodic ? "4 times " : ""));
   }
 }
 

@@ -139,7 +139,7 @@ void check_species(const Scene& scene, Diagnostics& diagnostics) {
 void check_packing(const Scene& scene, Diagnostics& diagnostics) {
   if (scene.method.preset == reservoir_preset) return;
   check_count(scene, diagnostics);
-  check_fraction(scene, diagnostics);
+  if (diagnostics.clean("species")) check_fraction(scene, diagnostics);
 }
 
 }  // namespace sandglass

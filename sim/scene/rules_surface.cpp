@@ -42,9 +42,9 @@ bool check_side(const Scene& scene, std::size_t index, const std::string& path, 
 }
 
 void check_vibration(const Wall& wall, const std::string& path, Diagnostics& diagnostics) {
-  if (wall.amplitude == 0 && wall.frequency == 0 && diagnostics.clean(path + ".amplitude")) return;
-  check_bounds(diagnostics, path + ".amplitude", wall.amplitude, positive());
-  if (diagnostics.clean(path + ".frequency"))
+  if (wall.amplitude == 0 && wall.frequency == 0) return;
+  if (!diagnostics.clean(path + ".amplitude") || !diagnostics.clean(path + ".frequency")) return;
+  if (check_bounds(diagnostics, path + ".amplitude", wall.amplitude, positive()))
     check_bounds(diagnostics, path + ".frequency", wall.frequency, positive());
 }
 

@@ -1,0 +1,116 @@
+#include "sim/scene/fault_table.hpp"
+
+namespace sandglass {
+namespace {
+
+const std::string good = R"([run]
+duration = { time = 10.0 }
+[domain]
+dimension = 2
+size = [10.0, 20.0]
+sides.y = "specular"
+[[species]]
+count = 10
+[method]
+preset = "dsmc"
+time-step = 0.1
+[initial]
+exact = true
+[[observe]]
+what = "energy"
+[output]
+ids = false
+)";
+
+class OtherMethods : public testing::TestWithParam<Fault> {};
+
+TEST_P(OtherMethods, RefuseWhatOnlyTheEventDrivenOneCanDo) { expect_fault(good, GetParam()); }
+
+const std::vector<Fault> other_faults = {
+    {"guard",
+     "time-step",
+     "collapse-guard = \"none\"\ntime-step",
+     "11:1",
+     {"'method.collapse-guard' is for the method 'event-driven' only"}},
+    {"contact_time",
+     "time-step",
+     "contact-time = 1.0\ntime-step",
+     "11:1",
+     {"'method.contact-time' is for the method 'event-driven' only"}},
+    {"wall",
+     "[method]",
+     "[[wall]]\nside = \"y-low\"\n[method]",
+     "9:1",
+     {"'wall' is for the method 'event-driven' only; plain specular walls need no [[wall]]"}},
+    {"obstacle",
+     "[method]",
+     "[[obstacle]]\ncentre = [5, 5]\nradius = 1\n[method]",
+     "9:1",
+     {"'obstacle' is for the method 'event-driven' only"}},
+    {"rough",
+     "count = 10",
+     "count = 10\ntangential-restitution = 0.5",
+     "9:26",
+     {"particles of the other methods are smooth (-1)"}},
+    {"inertia",
+     "count = 10",
+     "count = 10\nmoment-of-inertia = 0.5",
+     "9:21",
+     {"'species.moment-of-inertia' needs rough contacts"}},
+    {"two_species",
+     "[method]",
+     "[[species]]\nname = \"b\"\ncount = 3\n[method]",
+     "9:1",
+     {"more than one species", "only the method 'event-driven'"}},
+    {"trace",
+     "ids = false",
+     "event-trace = \"x\"",
+     "17:15",
+     {"'output.event-trace' is for the method 'event-driven' only"}},
+    {"spin",
+     "exact = true",
+     "spin-temperature = 1.0",
+     "13:20",
+     {"'initial.spin-temperature' needs rough contacts"}},
+    {"impact",
+     "\"energy\"",
+     "\"impact-parameter\"",
+     "15:8",
+     {"the observer 'impact-parameter' needs the method 'event-driven'"}},
+    {"overlap",
+     "\"energy\"",
+     "\"overlap\"",
+     "15:8",
+     {"the observer 'overlap' needs the method 'event-driven'"}},
+    {"rotation",
+     "\"energy\"",
+     "\"rotational-energy\"",
+     "15:8",
+     {"the observer 'rotational-energy' needs rough contacts"}},
+    {"pair_walls",
+     "\"energy\"",
+     "\"pair-correlation\"\nrange = [0.0, 5.0]",
+     "15:8",
+     {"needs a domain that is periodic along every axis"}},
+    {"structure",
+     "\"energy\"",
+     "\"structure-factor\"\ngrid = [4, 8]",
+     "15:8",
+     {"the observer 'structure-factor' needs a domain that is periodic"}},
+    {"particles",
+     "[method]",
+     "[[particle]]\nposition = [5, 5]\nvelocity = [0, 0]\n[method]",
+     "9:3",
+     {"'particle' is used with positions = \"given\" in [initial] only"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Other, OtherMethods, testing::ValuesIn(other_faults), fault_name);
+
+TEST(OtherMethodsTogether, ObserversOfStructureNeedTheirKeys) {
+  const std::string text = spoiled(good, {"", "sides.y = \"specular\"\n", "", "", {}});
+  expect_fault(text, {"", "\"energy\"", "\"pair-correlation\"", "13:1", {"missing 'observe.range'"}});
+  expect_fault(text, {"", "\"energy\"", "\"structure-factor\"", "13:1", {"missing 'observe.grid'"}});
+}
+
+}  // namespace
+}  // namespace sandglass
