@@ -14,6 +14,7 @@ enum class Purpose : std::uint64_t {
   collisions = 3,     ///< index: cell
   equilibration = 4,  ///< index: cell; the elastic collisions before time zero
   crossings = 5,      ///< index: direction; velocities drawn from the flux distribution
+  walls = 6,          ///< index: event; what a wall or an obstacle draws
 };
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.

@@ -1,0 +1,69 @@
+#include "sim/method/event_driven/cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandglass::event_driven {
+
+template <int D>
+Cells<D>::Cells(const Geometry<D>& geometry, double edge) : geometry_(geometry) {
+  std::uint32_t size = 1;
+  for (int axis = 0; axis < D; ++axis) {
+    const double fitting = std::clamp(std::floor(geometry.box[axis] / edge), 1.0, static_cast<double>(kMask));
+    const std::size_t a = index(axis);
+    count_[a] = static_cast<std::uint32_t>(fitting);
+    edge_[axis] = geometry.box[axis] / fitting;
+    per_edge_[axis] = 1 / edge_[axis];
+    lowest_[axis] = geometry.periodic[a] ? 0 : -HUGE_VAL;
+    highest_[axis] = geometry.periodic[a] ? geometry.box[axis] : HUGE_VAL;
+    stride_[a] = size;
+    before_first_[a] = geometry.periodic[a] ? count_[a] - 1 : 0;
+    after_last_[a] = geometry.periodic[a] ? 0 : count_[a] - 1;
+    size *= count_[a];
+  }
+  head_.resize(size);
+}
+
+template <int D>
+void Cells<D>::clear() {
+  std::fill(head_.begin(), head_.end(), kNobody);
+}
+
+template <int D>
+std::uint32_t Cells<D>::cell_of(const Vector<D>& position) const {
+  std::uint32_t cell = 0;
+  for (int axis = 0; axis < D; ++axis) {
+    const double place = std::clamp(position[axis] * per_edge_[axis], 0.0, count_[index(axis)] - 1.0);
+    cell |= static_cast<std::uint32_t>(place) << (kBits * axis);
+  }
+  return cell;
+}
+
+template <int D>
+std::vector<std::uint32_t> Cells<D>::all() const {
+  std::vector<std::uint32_t> cells(head_.size());
+  for (std::uint32_t place = 0; place < size(); ++place) {
+    std::uint32_t rest = place;
+    for (int axis = 0; axis < D; ++axis) {
+      cells[place] |= rest % count_[index(axis)] << (kBits * axis);
+      rest /= count_[index(axis)];
+    }
+  }
+  return cells;
+}
+
+template <int D>
+std::uint32_t Cells<D>::step(std::uint32_t cell, int axis, bool up, double& shift) const {
+  const std::uint32_t here = coordinate(cell, axis), last = count_[index(axis)] - 1;
+  const bool leaves = here == (up ? last : 0);
+  shift = leaves && geometry_.periodic[index(axis)] ? (up ? -1 : 1) * geometry_.box[axis] : 0;
+  const std::uint32_t there = !leaves ? (up ? here + 1 : here - 1)
+                              : up    ? after_last_[index(axis)]
+                                      : before_first_[index(axis)];
+  return (cell & ~(kMask << (kBits * axis))) | there << (kBits * axis);
+}
+
+template class Cells<2>;
+template class Cells<3>;
+
+}  // namespace sandglass::event_driven

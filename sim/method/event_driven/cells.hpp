@@ -1,0 +1,171 @@
+#pragma once
+
+#include "sim/method/event_driven/particle.hpp"
+#include "sim/space/particle_store.hpp"
+
+#include <array>
+#include <vector>
+
+namespace sandglass::event_driven {
+
+/// The box and which of its axes are periodic.
+template <int D>
+struct Geometry {
+  Vector<D> box = Vector<D>::Ones();
+  std::array<bool, D> periodic{};
+};
+
+/// Particles found near a place. Storage that grows and is never given back.
+class Candidates {
+ public:
+  std::uint32_t size = 0;
+  std::uint32_t* data() { return list_.data(); }
+  std::uint32_t operator[](std::uint32_t k) const { return list_[k]; }
+  /// Room for one more entry behind the last.
+  std::uint32_t* with_room() {
+    if (size == list_.size()) [[unlikely]]
+      list_.resize(2 * list_.size());
+    return list_.data();
+  }
+
+ private:
+  std::vector<std::uint32_t> list_ = std::vector<std::uint32_t>(256);
+};
+
+/// Particles linked by cell. A cell number holds its coordinates side by side in 32 bits, so that a step to a neighbour
+/// needs no division.
+template <int D>
+class Cells {
+ public:
+  /// `edge` is the least edge of a cell.
+  Cells(const Geometry<D>& geometry, double edge);
+
+  void clear();
+  void enter(Body<D>* bodies, std::uint32_t particle, std::uint32_t cell) {
+    std::uint32_t& head = head_[linear(cell)];
+    bodies[particle].below = head;
+    head = particle;
+  }
+  void leave(Body<D>* bodies, std::uint32_t particle, std::uint32_t cell) {
+    std::uint32_t* link = &head_[linear(cell)];
+    while (*link != particle) link = &bodies[*link].below;
+    *link = bodies[particle].below;
+  }
+
+  std::uint32_t cell_of(const Vector<D>& position) const;
+  /// Place of a cell in storage.
+  std::uint32_t linear(std::uint32_t cell) const {
+    std::uint32_t place = coordinate(cell, 0);
+    for (int axis = 1; axis < D; ++axis) place += coordinate(cell, axis) * stride_[index(axis)];
+    return place;
+  }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(head_.size()); }
+  /// Every cell, in the order of storage.
+  std::vector<std::uint32_t> all() const;
+
+  static std::uint32_t coordinate(std::uint32_t cell, int axis) { return (cell >> (kBits * axis)) & kMask; }
+  /// Edges of a cell. Beside a wall it is open: only the wall holds particles back, and it may move.
+  double low_edge(std::uint32_t cell, int axis) const {
+    const std::uint32_t here = coordinate(cell, axis);
+    return here > 0 ? here * edge_[axis] : lowest_[axis];
+  }
+  double high_edge(std::uint32_t cell, int axis) const {
+    const std::uint32_t next = coordinate(cell, axis) + 1;
+    return next < count_[index(axis)] ? next * edge_[axis] : highest_[axis];
+  }
+
+  /// The next cell along an axis; `shift` is what the position changes by when the way leads through a periodic
+  /// boundary. Behind a wall there is no cell: the same one again.
+  std::uint32_t step(std::uint32_t cell, int axis, bool up, double& shift) const;
+
+  /// Finds the particles of the cell and of its neighbours, some more than once beside a wall.
+  void collect_around(const Body<D>* bodies, std::uint32_t cell, Candidates& found) const {
+    heads_around(cell, found);
+    follow(bodies, found);
+  }
+  /// Finds those of the cells that have become neighbours by a step along `axis` into `cell`.
+  void collect_ahead(const Body<D>* bodies, std::uint32_t cell, int axis, bool up, Candidates& found) const {
+    heads_ahead(cell, axis, up, found);
+    follow(bodies, found);
+  }
+
+  /// The first particle of each cell only, for prefetching.
+  void heads_around(std::uint32_t cell, Candidates& found) const {
+    Offsets offsets;
+    for (int axis = 0; axis < D; ++axis) offsets[index(axis)] = around(cell, axis);
+    heads<3>(offsets, found);
+  }
+  void heads_ahead(std::uint32_t cell, int axis, bool up, Candidates& found) const {
+    Offsets offsets;
+    offsets[0] = around(cell, axis);
+    offsets[0][0] = offsets[0][up ? 2 : 0];
+    for (int other = 0, place = 1; other < D; ++other)
+      if (other != axis) offsets[index(place++)] = around(cell, other);
+    heads<1>(offsets, found);
+  }
+  /// Fetches the places that heads_around() will read.
+  void prefetch_around(std::uint32_t cell) const {
+    Offsets offsets;
+    for (int axis = 0; axis < D; ++axis) offsets[index(axis)] = around(cell, axis);
+    for (std::uint32_t row : offsets[1])
+      if constexpr (D == 2)
+        __builtin_prefetch(&head_[row + offsets[0][1]]);
+      else
+        for (std::uint32_t layer : offsets[2]) __builtin_prefetch(&head_[layer + row + offsets[0][1]]);
+  }
+
+  std::size_t bytes() const { return head_.capacity() * sizeof(std::uint32_t); }
+
+ private:
+  static constexpr int kBits = D == 2 ? 16 : 10;
+  static constexpr std::uint32_t kMask = (1u << kBits) - 1;
+  static constexpr std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
+
+  /// Places of the three neighbours along each axis, to be added up.
+  using Offsets = std::array<std::array<std::uint32_t, 3>, D>;
+
+  std::array<std::uint32_t, 3> around(std::uint32_t cell, int axis) const {
+    const std::uint32_t here = coordinate(cell, axis), stride = stride_[index(axis)];
+    const std::uint32_t low = here > 0 ? here - 1 : before_first_[index(axis)];
+    const std::uint32_t high = here + 1 < count_[index(axis)] ? here + 1 : after_last_[index(axis)];
+    return {low * stride, here * stride, high * stride};
+  }
+
+  /// Without branches on what a cell holds: an empty place is written and then not counted.
+  template <int First>
+  void heads(const Offsets& offsets, Candidates& found) const {
+    std::uint32_t* list = found.data();
+    std::uint32_t n = 0;
+    const auto take = [&](std::uint32_t place) {
+      list[n] = head_[place];
+      n += list[n] != kNobody;
+    };
+    for (std::size_t i = 0; i < First; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        if constexpr (D == 2) {
+          take(offsets[0][i] + offsets[1][j]);
+        } else {
+          for (std::size_t k = 0; k < 3; ++k) take(offsets[0][i] + offsets[1][j] + offsets[2][k]);
+        }
+    found.size = n;
+  }
+
+  /// Appends those behind the first ones.
+  void follow(const Body<D>* bodies, Candidates& found) const {
+    for (std::uint32_t k = 0; k < found.size; ++k) {
+      std::uint32_t* list = found.with_room();
+      list[found.size] = bodies[list[k]].below;
+      found.size += list[found.size] != kNobody;
+    }
+  }
+
+  Geometry<D> geometry_;
+  Vector<D> edge_, per_edge_, lowest_, highest_;
+  std::array<std::uint32_t, D> count_, stride_, before_first_, after_last_;
+  Column<std::uint32_t> head_;
+};
+
+extern template class Cells<2>;
+extern template class Cells<3>;
+
+}  // namespace sandglass::event_driven

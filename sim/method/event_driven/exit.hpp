@@ -1,0 +1,41 @@
+#pragma once
+
+#include "sim/method/event_driven/cells.hpp"
+#include "sim/method/event_driven/flight.hpp"
+
+namespace sandglass::event_driven {
+
+/// Where and when a particle leaves its cell.
+struct Exit {
+  double time = HUGE_VAL;
+  int axis = 0;
+  bool up = false;
+};
+
+/// First exit after `now`. A straight flight is followed from its beginning, so that every look gives the same time; a
+/// parabola may come back through the wall where it came in, and is followed from now.
+template <int D, class Flight>
+Exit first_exit(const Cells<D>& cells, const Flight& flight, const Body<D>& body, std::uint32_t cell,
+                double now) {
+  Exit exit;
+  if constexpr (Flight::falls) {
+    const Vector<D> position = flight.position(body, now), velocity = flight.velocity(body, now);
+    for (int axis = 0; axis < D; ++axis) {
+      const double x = position[axis], v = velocity[axis], g = flight.acceleration(axis);
+      const double down = time_to_wall(x, v, g, cells.low_edge(cell, axis), -1);
+      const double up = time_to_wall(x, v, g, cells.high_edge(cell, axis), 1);
+      if (now + std::min(down, up) < exit.time) exit = {now + std::min(down, up), axis, up < down};
+    }
+  } else {
+    for (int axis = 0; axis < D; ++axis) {
+      const double v = body.velocity[axis];
+      const double edge = v > 0 ? cells.high_edge(cell, axis) : cells.low_edge(cell, axis);
+      const double time = v != 0 ? body.time + (edge - body.position[axis]) / v : HUGE_VAL;
+      if (time < exit.time) exit = {time, axis, v > 0};
+    }
+    exit.time = std::max(exit.time, now);
+  }
+  return exit;
+}
+
+}  // namespace sandglass::event_driven

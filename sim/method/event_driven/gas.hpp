@@ -1,0 +1,32 @@
+#pragma once
+
+#include "sim/method/event_driven/parameters.hpp"
+#include "sim/method/simulator.hpp"
+
+namespace sandglass::event_driven {
+
+/// The particles, sorted by cell at the beginning of each era. Columns that the scene does not need stay empty.
+template <int D>
+struct Gas {
+  Column<Body<D>> bodies;
+  Column<Next> next;
+  Column<Spin<D>> spins;           ///< rough particles
+  Column<std::uint8_t> species;    ///< several species
+  Column<double> last_contact;     ///< TC model
+  std::vector<std::uint64_t> ids;  ///< if they are kept
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(bodies.size()); }
+  std::size_t kind(std::uint32_t particle) const { return species.empty() ? 0 : species[particle]; }
+
+  void assign(const Particles<D>& particles, const Parameters<D>& parameters);
+  /// Puts the particle of place `order[i]` at place i, and renames the partners.
+  void reorder(const std::vector<std::uint32_t>& order);
+  /// Lets all times count from `origin`.
+  void rebase(double origin);
+  std::size_t bytes() const;
+};
+
+extern template struct Gas<2>;
+extern template struct Gas<3>;
+
+}  // namespace sandglass::event_driven

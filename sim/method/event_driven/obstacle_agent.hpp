@@ -1,0 +1,31 @@
+#pragma once
+
+#include "sim/method/event_driven/agent.hpp"
+#include "sim/physics/wall.hpp"
+
+namespace sandglass::event_driven {
+
+/// A fixed disk or sphere (Baryshev 2003). It does not touch a periodic boundary.
+template <int D>
+class ObstacleAgent final : public Agent<D> {
+ public:
+  ObstacleAgent(const Vector<D>& centre, double radius, const WallRule& rule, const Vector<D>& gravity,
+                double largest_radius)
+      : centre_(centre), radius_(radius), rule_(rule), gravity_(gravity), reach_(radius + largest_radius) {}
+
+  bool reaches(const Vector<D>& low, const Vector<D>& high) const override;
+  double delay(const Guest<D>& guest, double now) const override;
+  bool act(Guest<D>& guest, double now, Random& random) override;
+
+ private:
+  Vector<D> centre_;
+  double radius_;
+  WallRule rule_;
+  Vector<D> gravity_;
+  double reach_;  ///< of the largest particle's centre
+};
+
+extern template class ObstacleAgent<2>;
+extern template class ObstacleAgent<3>;
+
+}  // namespace sandglass::event_driven

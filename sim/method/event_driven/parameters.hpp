@@ -1,0 +1,50 @@
+#pragma once
+
+#include "sim/method/event_driven/cells.hpp"
+#include "sim/observe/view.hpp"
+#include "sim/physics/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace sandglass::event_driven {
+
+/// Faults that the mutant suite plants.
+struct Faults {
+  double momentum_leak = 0;     ///< the second partner's kick is this part short
+  bool stale_partner = false;   ///< a predicted contact is carried out whatever its partner did meanwhile
+  bool blind_crossing = false;  ///< who enters a cell does not look ahead
+  bool guard_dropped = false;   ///< no collapse guard
+};
+
+template <int D>
+struct Parameters {
+  Geometry<D> geometry;
+  std::vector<SpeciesTraits> species{{}};
+  std::vector<Surface> surfaces{{}};  ///< of species a with species b at [a * number of species + b]
+  bool rough = false;                 ///< particles have spin
+  double contact_time = 0;            ///< TC model: elastic sooner than this after the last collision; 0: off
+  Vector<D> gravity = Vector<D>::Zero();
+  bool measure_transfer = false;
+  std::size_t impact_bins = 0;
+  bool keep_ids = false;
+  std::uint64_t particles = 0;           ///< how many there will be, for the size of the cells
+  std::vector<Plane>* planes = nullptr;  ///< those that agents count for
+  Faults faults;
+
+  const Surface& surface(std::size_t a, std::size_t b) const { return surfaces[a * species.size() + b]; }
+  double largest_diameter() const {
+    double largest = 0;
+    for (const SpeciesTraits& kind : species) largest = std::max(largest, kind.diameter);
+    return largest;
+  }
+  /// Contacts reach into the neighbouring cells only. In a thin gas larger cells, with about two particles in three of
+  /// them, balance the crossings against the candidates of a search.
+  double cell_edge() const {
+    const double count = static_cast<double>(std::max<std::uint64_t>(particles, 1));
+    return std::max(largest_diameter() * (1 + 1e-9), 0.8 * std::pow(geometry.box.prod() / count, 1.0 / D));
+  }
+};
+
+}  // namespace sandglass::event_driven

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "sim/method/event_driven/agent.hpp"
+#include "sim/observe/plane.hpp"
+
+namespace sandglass::event_driven {
+
+/// Counts the centres that pass a plane inside the box and changes nothing.
+template <int D>
+class PlaneAgent final : public Agent<D> {
+ public:
+  PlaneAgent(Plane* plane, const Vector<D>& gravity) : plane_(plane), gravity_(gravity[plane->axis()]) {}
+
+  bool reaches(const Vector<D>& low, const Vector<D>& high) const override {
+    return low[plane_->axis()] <= plane_->position() && plane_->position() <= high[plane_->axis()];
+  }
+  double delay(const Guest<D>& guest, double now) const override;
+  bool act(Guest<D>& guest, double now, Random& random) override;
+
+ private:
+  Plane* plane_;
+  double gravity_;
+};
+
+/// Calls somebody at regular times.
+template <int D, class Action>
+class TimerAgent final : public Agent<D> {
+ public:
+  TimerAgent(double first, double interval, Action action)
+      : first_(first), interval_(interval), action_(std::move(action)) {}
+
+  double next() const override { return first_ + static_cast<double>(count_) * interval_; }
+  void act(Gathering<D>& gathering, double now) override {
+    ++count_;
+    action_(gathering, now);
+  }
+
+ private:
+  double first_, interval_;
+  std::uint64_t count_ = 0;
+  Action action_;
+};
+
+extern template class PlaneAgent<2>;
+extern template class PlaneAgent<3>;
+
+}  // namespace sandglass::event_driven

@@ -1,0 +1,42 @@
+#include "sim/method/event_driven/wall_agent.hpp"
+
+namespace sandglass::event_driven {
+
+template <int D>
+WallAgent<D>::WallAgent(const WallPlace<D>& place, const WallRule& rule, const Vector<D>& gravity)
+    : place_(place),
+      rule_(rule),
+      inward_(place.high ? -1 : 1),
+      gravity_(inward_ * gravity[place.axis]),
+      motion_{0, inward_ * place.velocity[place.axis], place.amplitude, place.frequency,
+              place.high ? M_PI : 0} {}
+
+template <int D>
+bool WallAgent<D>::reaches(const Vector<D>& low, const Vector<D>& high) const {
+  if (motion_.speed != 0) return true;
+  const double swing = std::fabs(motion_.amplitude) + place_.largest_radius;
+  return low[place_.axis] <= place_.edge + swing && high[place_.axis] >= place_.edge - swing;
+}
+
+template <int D>
+double WallAgent<D>::delay(const Guest<D>& guest, double now) const {
+  const Arc arc{inward_ * (guest.position[place_.axis] - place_.edge) - guest.radius,
+                inward_ * guest.velocity[place_.axis], gravity_};
+  return motion_.speed == 0 && !motion_.vibrates() ? time_to_fall(arc)
+                                                   : time_to_plane(arc, motion_.from(now));
+}
+
+template <int D>
+bool WallAgent<D>::act(Guest<D>& guest, double now, Random& random) {
+  const Vector<D> normal = inward_ * Vector<D>::Unit(place_.axis);
+  Vector<D> surface = place_.velocity;
+  surface[place_.axis] = inward_ * motion_.velocity_at(now);
+  reflect<D>(rule_, normal, surface, guest.mass, guest.radius, guest.inertia, guest.velocity, guest.spin,
+             random);
+  return true;
+}
+
+template class WallAgent<2>;
+template class WallAgent<3>;
+
+}  // namespace sandglass::event_driven

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "sim/method/event_driven/agent.hpp"
+#include "sim/physics/plane_flight.hpp"
+#include "sim/physics/wall.hpp"
+
+namespace sandglass::event_driven {
+
+/// One side of the box. It may move; particles meet it with their surface, not their centre.
+template <int D>
+struct WallPlace {
+  int axis = 0;
+  bool high = false;
+  double edge = 0;                         ///< coordinate at time zero
+  Vector<D> velocity = Vector<D>::Zero();  ///< constant; its normal part moves the plane
+  double amplitude = 0, frequency = 0;     ///< of the sinusoidal part of the motion along the axis
+  double largest_radius = 0.5;             ///< of the particles
+};
+
+template <int D>
+class WallAgent final : public Agent<D> {
+ public:
+  WallAgent(const WallPlace<D>& place, const WallRule& rule, const Vector<D>& gravity);
+
+  bool reaches(const Vector<D>& low, const Vector<D>& high) const override;
+  double delay(const Guest<D>& guest, double now) const override;
+  bool act(Guest<D>& guest, double now, Random& random) override;
+
+ private:
+  WallPlace<D> place_;
+  WallRule rule_;
+  double inward_;       ///< +1 at a low side, -1 at a high one
+  double gravity_;      ///< along the inward normal
+  PlaneMotion motion_;  ///< along the inward normal, from the edge
+};
+
+extern template class WallAgent<2>;
+extern template class WallAgent<3>;
+
+}  // namespace sandglass::event_driven
