@@ -15,6 +15,8 @@ enum class Purpose : std::uint64_t {
   equilibration = 4,  ///< index: cell; the elastic collisions before time zero
   crossings = 5,      ///< index: direction; velocities drawn from the flux distribution
   walls = 6,          ///< index: event; what a wall or an obstacle draws
+  species = 7,        ///< index: 0; which particle is of which species
+  spins = 8,          ///< index: particle
 };
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.

@@ -1,0 +1,86 @@
+#include "sim/run/initial_velocities.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/base/random.hpp"
+
+#include <cmath>
+
+#include <boost/random/normal_distribution.hpp>
+
+namespace sandglass {
+
+namespace {
+
+template <int D>
+const Species& kind_of(const Particles<D>& particles, const Scene& scene, std::size_t i) {
+  return scene.species[particles.species.empty() ? 0 : particles.species[i]];
+}
+
+/// Masses count in units of the first species' mass.
+template <int D>
+void make_exact(Particles<D>& particles, const Scene& scene, double thermal) {
+  const std::size_t count = particles.phases.size();
+  if (count < 2)
+    throw InputError(
+        "'initial.exact' cannot serve a single particle, whose mean velocity is its own; use exact = "
+        "false");
+  const auto weight = [&](std::size_t i) {
+    return kind_of(particles, scene, i).mass / scene.species.front().mass;
+  };
+  double total = 0;
+  for (std::size_t i = 0; i < count; ++i) total += weight(i);
+  Vector<D> mean = Vector<D>::Zero();
+  for (std::size_t i = 0; i < count; ++i) mean += weight(i) * particles.phases[i].velocity / total;
+  double square = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    particles.phases[i].velocity -= mean;
+    square += weight(i) * particles.phases[i].velocity.squaredNorm();
+  }
+  const double scale = thermal * std::sqrt(D * (static_cast<double>(count) - 1) / square);
+  for (Phase<D>& particle : particles.phases) particle.velocity *= scale;
+}
+
+}  // namespace
+
+template <int D>
+void draw_velocities(Particles<D>& particles, const Scene& scene, const Streams& streams) {
+  const StreamKey key(streams.seed, Purpose::velocities, streams.replica, 0);
+  const double temperature = scene.initial.temperature;
+  for (std::size_t i = 0; i < particles.phases.size(); ++i) {
+    Random random(key, i);
+    boost::random::normal_distribution<double> normal(
+        0, std::sqrt(temperature / kind_of(particles, scene, i).mass));
+    for (int axis = 0; axis < D; ++axis) particles.phases[i].velocity[axis] = normal(random);
+  }
+  if (scene.initial.exact && temperature > 0)
+    make_exact(particles, scene, std::sqrt(temperature / scene.species.front().mass));
+}
+
+template <int D>
+void draw_spins(Particles<D>& particles, const Scene& scene, const Streams& streams) {
+  const std::size_t count = particles.phases.size();
+  const double temperature = scene.initial.spin_temperature;
+  particles.spins.assign(count, Spin<D>::Zero());
+  if (!(temperature > 0)) return;
+  const StreamKey key(streams.seed, Purpose::spins, streams.replica, 0);
+  constexpr int kComponents = Spin<D>::SizeAtCompileTime;
+  double energy = 0;  // twice the mean per degree of freedom
+  for (std::size_t i = 0; i < count; ++i) {
+    const Species& kind = kind_of(particles, scene, i);
+    const double inertia =
+        inertia_factor(kind, scene.domain.dimension) * kind.mass * kind.diameter * kind.diameter / 4;
+    Random random(key, i);
+    boost::random::normal_distribution<double> normal(0, std::sqrt(temperature / inertia));
+    for (int axis = 0; axis < kComponents; ++axis) particles.spins[i][axis] = normal(random);
+    energy += inertia * particles.spins[i].squaredNorm() / (kComponents * static_cast<double>(count));
+  }
+  if (!scene.initial.exact) return;
+  for (Spin<D>& spin : particles.spins) spin *= std::sqrt(temperature / energy);
+}
+
+template void draw_velocities(Particles<2>&, const Scene&, const Streams&);
+template void draw_velocities(Particles<3>&, const Scene&, const Streams&);
+template void draw_spins(Particles<2>&, const Scene&, const Streams&);
+template void draw_spins(Particles<3>&, const Scene&, const Streams&);
+
+}  // namespace sandglass
