@@ -9,7 +9,8 @@ namespace sandglass::law {
 namespace {
 std::vector<Law> collect() {
   std::vector<Law> laws;
-  for (auto topic : {equilibrium_laws, cooling_laws, velocity_laws, flux_laws, transport_laws})
+  for (auto topic : {equilibrium_laws, reference_laws, cooling_laws, guarded_laws, velocity_laws, flux_laws,
+                     transport_laws})
     for (Law& law : topic()) laws.push_back(std::move(law));
   return laws;
 }

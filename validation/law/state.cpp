@@ -16,14 +16,19 @@ double collisional_pressure(const Gas& gas) {
 
 double pressure(const Gas& gas) { return kinetic_pressure(gas) * compressibility_factor(gas); }
 
+double long_wave_structure(const Gas& gas) {
+  Gas elastic = gas;
+  elastic.restitution = 1;
+  const double factor = compressibility_factor(elastic);
+  return 1 / (2 * factor - 1 +
+              excluded_fraction(gas) * gas.fraction * contact_value_slope(gas.dimension, gas.fraction));
+}
+
 double sound_speed(const Gas& gas) {
   Gas elastic = gas;
   elastic.restitution = 1;
   const double factor = compressibility_factor(elastic);
-  const double isothermal =
-      2 * factor - 1 +
-      excluded_fraction(gas) * gas.fraction * contact_value_slope(gas.dimension, gas.fraction);
-  return thermal_speed(gas) * std::sqrt(isothermal + 2 * factor * factor / gas.dimension);
+  return thermal_speed(gas) * std::sqrt(1 / long_wave_structure(gas) + 2 * factor * factor / gas.dimension);
 }
 
 }  // namespace sandglass::law

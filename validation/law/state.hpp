@@ -20,4 +20,7 @@ double pressure(const Gas& gas);
 /// Adiabatic sound speed of the elastic gas [length/time]: c^2 = (T/m) (d(nu Z)/dnu + 2 Z^2/D).
 double sound_speed(const Gas& gas);
 
+/// S(k -> 0) = T (dn/dp)_T = 1/(d(nu Z)/dnu) of the elastic gas, with Henderson's or Carnahan & Starling's Z.
+double long_wave_structure(const Gas& gas);
+
 }  // namespace sandglass::law

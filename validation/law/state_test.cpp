@@ -73,6 +73,20 @@ TEST(SoundSpeed, IsTheAdiabaticSlopeOfThePressure) {
   }
 }
 
+TEST(LongWaveStructure, IsTheSlopeOfThePressure) {
+  for (Gas gas : {kDisks, kSpheres}) {
+    gas.restitution = 1;
+    const double h = 1e-5;
+    Gas more = gas, less = gas;
+    more.fraction *= 1 + h;
+    less.fraction *= 1 - h;
+    const double slope = (pressure(more) - pressure(less)) / (2 * h * number_density(gas));
+    EXPECT_NEAR(long_wave_structure(gas) * slope / gas.temperature, 1, 1e-7);
+    gas.fraction = 1e-9;
+    EXPECT_NEAR(long_wave_structure(gas), 1, 1e-7);
+  }
+}
+
 // Baryshev (2003): measured 1.4 at nu = 0.65, T = 0.02; Henderson's state gives 1.52.
 TEST(SoundSpeed, OfBaryshevsGas) {
   EXPECT_NEAR(sound_speed({.dimension = 2, .temperature = 0.02, .fraction = 0.65}), 1.52, 0.005);
