@@ -58,7 +58,7 @@ TEST(Plan, WarnsOfCoarseCellsAndLongSteps) {
 
 TEST(Run, RefusesToWaitForCollisionsThatNeverCome) {
   Scene scene = test_scene(2, 10, 2);
-  scene.initial.temperature = 0;
+  scene.initial.temperature = 1e-300;
   scene.run.duration = {{}, {}, 1.0};
   try {
     run_scene(scene);

@@ -10,13 +10,22 @@
 
 namespace sandglass {
 
+namespace {
+template <int D>
+std::unique_ptr<EventTrace<D>> make_trace(const Scene& scene, const Streams& streams, bool goes_on) {
+  if (!scene.output.event_trace || streams.replica > 0) return nullptr;
+  return std::make_unique<EventTrace<D>>(*scene.output.event_trace, goes_on);
+}
+}  // namespace
+
 template <int D>
 ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation,
-                          const Streams& streams)
+                          const Streams& streams, const State* state)
     : scene_(scene),
       streams_(streams),
       planes_(make_planes(setup.observers)),
-      simulator_(make_simulator<D>(scene, setup, mutation, streams, &planes_)),
+      trace_(make_trace<D>(scene, streams, state != nullptr)),
+      simulator_(make_simulator<D>(scene, setup, mutation, streams, &planes_, trace_.get())),
       setup_(setup),
       stepper_(scene, setup) {
   std::size_t plane = 0;
@@ -29,6 +38,10 @@ ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutat
     plane += needs_of(setup.observers[i]).plane ? 1 : 0;
   }
   if (scene.output.trajectory && streams.replica == 0) frames_.emplace(*scene.output.trajectory);
+  if (state != nullptr)
+    load(*state);
+  else
+    start();
 }
 
 template <int D>
@@ -43,7 +56,7 @@ void ReplicaRun<D>::start() {
 
 template <int D>
 void ReplicaRun<D>::step() {
-  const double dt = stepper_.next(view(), clock_.step);
+  const double dt = stepper_.looks(clock_.step) ? stepper_.next(view(), clock_.step) : stepper_.current();
   simulator_->step(dt, clock_.step);
   ++clock_.step;
   clock_.time = scene_.method.time_step.fixed ? static_cast<double>(clock_.step) * dt : clock_.time + dt;
@@ -107,16 +120,25 @@ Frame ReplicaRun<D>::frame() {
 template <int D>
 std::map<std::string, double> ReplicaRun<D>::counters() {
   const Tally& tally = simulator_->tally();
-  return {{"steps", static_cast<double>(clock_.step)},
-          {"collisions", static_cast<double>(tally.collisions)},
-          {"candidates", static_cast<double>(tally.candidates)},
-          {"bound-raised", static_cast<double>(tally.bound_raised)},
-          {"particle-moves", static_cast<double>(tally.moves)}};
+  std::map<std::string, double> counters = {{"steps", static_cast<double>(clock_.step)},
+                                            {"collisions", static_cast<double>(tally.collisions)},
+                                            {"candidates", static_cast<double>(tally.candidates)},
+                                            {"bound-raised", static_cast<double>(tally.bound_raised)},
+                                            {"particle-moves", static_cast<double>(tally.moves)}};
+  if (is_event_driven(scene_)) {
+    counters["cell-crossings"] = static_cast<double>(tally.crossings);
+    counters["predictions"] = static_cast<double>(tally.predictions);
+    counters["guarded-collisions"] = static_cast<double>(tally.guarded);
+    counters["deepest-overlap"] = tally.deepest_overlap;
+  }
+  return counters;
 }
 
 template <int D>
 State ReplicaRun<D>::save() {
-  State state{clock_.step, clock_.time, frame(), {}, counters(), {}};
+  if (trace_) trace_->flush();
+  State state{clock_.step, clock_.time, frame(), {}, counters(), simulator_->save()};
+  state.memory["impact"] = {simulator_->tally().impact.begin(), simulator_->tally().impact.end()};
   state.memory["transfer"] = simulator_->tally().transfer.save();
   state.memory["time-step"] = stepper_.save();
   for (std::size_t i = 0; i < planes_.size(); ++i)
@@ -136,12 +158,21 @@ void ReplicaRun<D>::load(const State& state) {
     particles[i].velocity = Eigen::Map<const Vector<D>>(&state.particles.velocity[D * i]);
   }
   if (!is_reservoir(scene_)) simulator_->assign({std::move(particles), {}, {}, state.particles.id});
+  simulator_->load(state.memory);
   Tally& tally = simulator_->tally();
   tally.collisions = static_cast<std::uint64_t>(state.counters.at("collisions"));
   tally.candidates = static_cast<std::uint64_t>(state.counters.at("candidates"));
   tally.bound_raised = static_cast<std::uint64_t>(state.counters.at("bound-raised"));
   tally.moves = static_cast<std::uint64_t>(state.counters.at("particle-moves"));
   tally.transfer = ExactSum::load(state.memory.at("transfer"));
+  const std::vector<double>& impact = state.memory.at("impact");
+  tally.impact.assign(impact.begin(), impact.end());
+  if (is_event_driven(scene_)) {
+    tally.crossings = static_cast<std::uint64_t>(state.counters.at("cell-crossings"));
+    tally.predictions = static_cast<std::uint64_t>(state.counters.at("predictions"));
+    tally.guarded = static_cast<std::uint64_t>(state.counters.at("guarded-collisions"));
+    tally.deepest_overlap = state.counters.at("deepest-overlap");
+  }
   stepper_.load(state.memory.at("time-step"));
   clock_ = {state.step, state.time, 0};
   if (setup_.particles > 0)
@@ -158,6 +189,7 @@ void ReplicaRun<D>::load(const State& state) {
 
 template <int D>
 Replica ReplicaRun<D>::result() {
+  if (trace_) trace_->flush();
   Replica replica{scene_.run.seed, {}, counters()};
   for (Watch& watch : watches_) replica.series.push_back(std::move(watch.series));
   return replica;

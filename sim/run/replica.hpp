@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/run/event_trace.hpp"
 #include "sim/run/schedule.hpp"
 #include "sim/run/time_step.hpp"
 
@@ -14,12 +15,9 @@ namespace sandglass {
 template <int D>
 class ReplicaRun {
  public:
-  ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation, const Streams& streams);
-
-  /// Initial particles and the first samples.
-  void start();
-  /// Goes on from a checkpoint instead.
-  void load(const State& state);
+  /// `state`: go on from this checkpoint; null: begin with the initial particles and the first samples.
+  ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation, const Streams& streams,
+             const State* state);
 
   bool done() const { return finished(scene_.run.duration, clock_); }
   void step();
@@ -41,6 +39,8 @@ class ReplicaRun {
     Series series;
   };
 
+  void start();
+  void load(const State& state);
   View<D> view();
   Frame frame();
   void sample(Watch& watch);
@@ -51,6 +51,7 @@ class ReplicaRun {
   const Scene& scene_;
   Streams streams_;
   std::vector<Plane> planes_;
+  std::unique_ptr<EventTrace<D>> trace_;  ///< of the first replica, if asked for
   std::unique_ptr<Simulator<D>> simulator_;
   const Setup<D>& setup_;
   TimeStepper<D> stepper_;

@@ -73,11 +73,8 @@ class Runner {
 
  private:
   void run_replica() {
-    ReplicaRun<D> replica(scene_, setup_, options_.mutation, {scene_.run.seed, record_.replicas.size()});
-    if (record_.state)
-      replica.load(*record_.state);
-    else
-      replica.start();
+    ReplicaRun<D> replica(scene_, setup_, options_.mutation, {scene_.run.seed, record_.replicas.size()},
+                          record_.state ? &*record_.state : nullptr);
     record_.state.reset();
     if (checkpoints_) checkpoints_->resume(replica.clock());
     cumulative_ = replica.cumulative();
@@ -154,6 +151,7 @@ Record run_from(const Scene& scene, const RunOptions& options, Record record) {
 }  // namespace
 
 Record run_scene(const Scene& scene, const RunOptions& options) {
+  validate(scene);
   return run_from(scene, options, empty_record(scene, options));
 }
 

@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "sim/method/reservoir/reservoir.hpp"
 #include "sim/physics/collision.hpp"
+#include "sim/run/agents.hpp"
 #include "sim/run/mutation.hpp"
 #include "sim/scene/catalogue.hpp"
 
@@ -68,7 +69,7 @@ dsmc::Parameters parameters_of(const Scene& scene) {
   parameters.cross_section = cross_section(D, species.diameter);
   parameters.weight = scene.method.weight;
   parameters.offset = offset_of(scene);
-  if (scene.method.contact_factor == ContactFactor::local)
+  if (scene.method.contact_factor == ContactFactor::local || is_event_driven(scene))
     parameters.factor = {contact_formula(D), scene.method.density == DensityEstimate::smoothed};
   return parameters;
 }
@@ -105,14 +106,6 @@ ObserverSpec spec_of(const Scene& scene, const Observe& observe) {
   return spec;
 }
 
-template <int D>
-void check_plane(const dsmc::MotionParameters<D>& motion, const ObserverSpec& spec) {
-  if (motion.walled[static_cast<std::size_t>(spec.axis)])
-    throw InputError(
-        "the observer 'crossings' needs a plane normal to a periodic axis: walls turn particles back within "
-        "a step");
-}
-
 }  // namespace
 
 bool is_reservoir(const Scene& scene) { return scene.method.preset == reservoir_preset; }
@@ -123,14 +116,20 @@ double thermal_speed(const Scene& scene) {
 
 template <int D>
 Setup<D> set_up(const Scene& scene, const Mutation& mutation) {
-  const std::uint64_t particles = is_reservoir(scene) ? 0 : particle_count(scene, scene.species.front());
-  Setup<D> setup{make_grid<D>(scene, particles), parameters_of<D>(scene), motion_of<D>(scene), {}, particles};
+  const std::uint64_t particles = is_reservoir(scene) ? 0 : particle_count(scene);
+  Setup<D> setup{
+      make_grid<D>(scene, particles), parameters_of<D>(scene), motion_of<D>(scene), {}, {}, particles};
   plant(mutation, D, setup.parameters);
+  if (is_event_driven(scene)) {
+    setup.hard = hard_parameters_of<D>(scene);
+    plant(mutation, setup.hard);
+  }
   for (const Observe& observe : scene.observe) {
     setup.observers.push_back(spec_of(scene, observe));
     const Needs needs = needs_of(setup.observers.back());
     setup.parameters.measure_transfer |= needs.transfer;
-    if (needs.plane) check_plane(setup.motion, setup.observers.back());
+    setup.hard.measure_transfer |= needs.transfer;
+    setup.hard.impact_bins = std::max(setup.hard.impact_bins, needs.impact_bins);
   }
   setup.motion.offsets = setup.parameters.offset.any();
   return setup;
@@ -159,7 +158,12 @@ reservoir::Parameters reservoir_of(const Scene& scene, const Setup<D>& setup) {
 template <int D>
 std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>& setup,
                                              const Mutation& mutation, const Streams& streams,
-                                             std::vector<Plane>* planes) {
+                                             std::vector<Plane>* planes, EventSink<D>* trace) {
+  if (is_event_driven(scene)) {
+    event_driven::Parameters<D> hard = setup.hard;
+    hard.planes = planes;
+    return event_driven::make_event_driven<D>(hard, make_agents(scene, setup, planes), streams, trace);
+  }
   if (is_reservoir(scene)) {
     reservoir::Parameters parameters = reservoir_of(scene, setup);
     plant(mutation, parameters.faults);
@@ -174,8 +178,8 @@ std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>&
 template Setup<2> set_up<2>(const Scene&, const Mutation&);
 template Setup<3> set_up<3>(const Scene&, const Mutation&);
 template std::unique_ptr<Simulator<2>> make_simulator(const Scene&, const Setup<2>&, const Mutation&,
-                                                      const Streams&, std::vector<Plane>*);
+                                                      const Streams&, std::vector<Plane>*, EventSink<2>*);
 template std::unique_ptr<Simulator<3>> make_simulator(const Scene&, const Setup<3>&, const Mutation&,
-                                                      const Streams&, std::vector<Plane>*);
+                                                      const Streams&, std::vector<Plane>*, EventSink<3>*);
 
 }  // namespace sandglass

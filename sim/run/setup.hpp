@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/dsmc/dsmc.hpp"
+#include "sim/method/event_driven/event_driven.hpp"
 #include "sim/observe/observer.hpp"
 #include "sim/run/run.hpp"
 
@@ -15,6 +16,7 @@ struct Setup {
   Grid<D> grid;
   dsmc::Parameters parameters;
   dsmc::MotionParameters<D> motion;
+  event_driven::Parameters<D> hard;  ///< of the event-driven method
   std::vector<ObserverSpec> observers;
   std::uint64_t particles;
 };
@@ -28,11 +30,11 @@ bool is_reservoir(const Scene& scene);
 /// sqrt(T/m) of the initial state.
 double thermal_speed(const Scene& scene);
 
-/// The method of the scene, ready to take particles. `planes` must outlive it.
+/// The method of the scene, ready to take particles. `planes` and `trace` must outlive it; without a trace, null.
 template <int D>
 std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>& setup,
                                              const Mutation& mutation, const Streams& streams,
-                                             std::vector<Plane>* planes);
+                                             std::vector<Plane>* planes, EventSink<D>* trace);
 
 /// One plane per observer that needs one, in order.
 std::vector<Plane> make_planes(const std::vector<ObserverSpec>& observers);

@@ -13,11 +13,12 @@ namespace sandglass {
 template <int D>
 double expected_collision_rate(const Scene& scene, const Setup<D>& setup, double temperature) {
   const Species& species = scene.species.front();
-  const double contact = setup.parameters.factor.formula == nullptr
-                             ? 1
-                             : setup.parameters.factor.formula(fraction(scene, species)).value;
+  const double contact =
+      setup.parameters.factor.formula == nullptr ? 1 : setup.parameters.factor.formula(fraction(scene)).value;
   const double mean_speed = std::sqrt((D == 2 ? M_PI / 2 : 8 / M_PI) * temperature / species.mass);
-  return M_SQRT2 * number_density(scene, species) * setup.parameters.cross_section * contact * mean_speed;
+  const double density =
+      static_cast<double>(particle_count(scene)) * scene.method.weight / volume(scene.domain);
+  return M_SQRT2 * density * setup.parameters.cross_section * contact * mean_speed;
 }
 
 template <int D>
@@ -36,8 +37,7 @@ TimeStepper<D>::TimeStepper(const Scene& scene, const Setup<D>& setup) {
 
 template <int D>
 double TimeStepper<D>::next(const View<D>& view, std::uint64_t step) {
-  if (fixed_ > 0) return fixed_;
-  if (step % refresh_ == 0 || current_ == 0) {
+  if (looks(step)) {
     const double temperature = temperatures(view).mean();
     current_ = wanted_ / (rate_at_one_ * std::sqrt(temperature));
     if (!(temperature > 0) || !std::isfinite(current_))
@@ -45,7 +45,7 @@ double TimeStepper<D>::next(const View<D>& view, std::uint64_t step) {
           "step {}: granular temperature {} gives no time step; give 'method.time-step' as a time", step,
           temperature));
   }
-  return current_;
+  return current();
 }
 
 template double expected_collision_rate(const Scene&, const Setup<2>&, double);

@@ -19,6 +19,9 @@ class TimeStepper {
 
   /// Throws RunError when a gas without motion would need an infinite step.
   double next(const View<D>& view, std::uint64_t step);
+  /// False: the step is current(), whatever the state.
+  bool looks(std::uint64_t step) const { return fixed_ == 0 && (step % refresh_ == 0 || current_ == 0); }
+  double current() const { return fixed_ > 0 ? fixed_ : current_; }
   std::vector<double> save() const { return {current_}; }
   void load(const std::vector<double>& state) { current_ = state.at(0); }
 
