@@ -1,64 +1,29 @@
 #include "sim/run/initial.hpp"
 
-#include "sim/base/error.hpp"
+#include "sim/run/equilibrate.hpp"
+#include "sim/run/initial_species.hpp"
+#include "sim/run/initial_velocities.hpp"
 #include "sim/run/placement.hpp"
-#include "sim/run/time_step.hpp"
 
 #include <cmath>
-
-#include <boost/random/normal_distribution.hpp>
 
 namespace sandglass {
 
 namespace {
 
 template <int D>
-void draw_velocities(std::vector<Phase<D>>& particles, double thermal, const Streams& streams) {
-  const StreamKey key(streams.seed, Purpose::velocities, streams.replica, 0);
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    Random random(key, i);
-    boost::random::normal_distribution<double> normal(0, thermal);
-    for (int axis = 0; axis < D; ++axis) particles[i].velocity[axis] = normal(random);
+Particles<D> given_particles(const Scene& scene) {
+  Particles<D> particles;
+  for (const GivenParticle& given : scene.given) {
+    particles.phases.push_back({Eigen::Map<const Vector<D>>(given.position.data()),
+                                Eigen::Map<const Vector<D>>(given.velocity.data())});
+    if (scene.species.size() > 1) particles.species.push_back(static_cast<std::uint8_t>(given.species));
+    if (!is_rough(scene)) continue;
+    const bool turns = !given.spin.empty();
+    particles.spins.push_back(turns ? Spin<D>(Eigen::Map<const Spin<D>>(given.spin.data()))
+                                    : Spin<D>(Spin<D>::Zero()));
   }
-}
-
-/// No mean velocity and exactly the granular temperature asked for, N - 1 degrees of freedom per axis.
-template <int D>
-void make_exact(std::vector<Phase<D>>& particles, double thermal) {
-  Vector<D> mean = Vector<D>::Zero();
-  for (const Phase<D>& particle : particles)
-    mean += particle.velocity / static_cast<double>(particles.size());
-  double square = 0;
-  for (Phase<D>& particle : particles) {
-    particle.velocity -= mean;
-    square += particle.velocity.squaredNorm();
-  }
-  const double scale = thermal * std::sqrt(D * (static_cast<double>(particles.size()) - 1) / square);
-  for (Phase<D>& particle : particles) particle.velocity *= scale;
-}
-
-/// Elastic collisions of the method's own kind, without gravity, before time zero.
-template <int D>
-void equilibrate(std::vector<Phase<D>>& particles, const Scene& scene, const Setup<D>& setup,
-                 const Streams& streams) {
-  dsmc::Parameters elastic = setup.parameters;
-  elastic.restitution = 1;
-  elastic.measure_transfer = false;
-  dsmc::MotionParameters<D> motion = setup.motion;
-  motion.gravity.setZero();
-  dsmc::Dsmc<D> gas(setup.grid, elastic, motion, streams, Purpose::equilibration);
-  gas.assign({particles, {}, {}, {}});
-  TimeStepper<D> stepper(scene, setup);
-  const double wanted = scene.initial.equilibrate_collisions * static_cast<double>(particles.size()) / 2;
-  for (std::uint64_t step = 0; static_cast<double>(gas.tally().collisions) < wanted; ++step) {
-    if (step > 1'000'000 && gas.tally().collisions == 0)
-      throw InputError(
-          "equilibration: no collision in a million steps; lower "
-          "'initial.equilibrate-collisions-per-particle' or raise 'method.time-step'");
-    gas.step(stepper.next(gas.view(), step), step);
-  }
-  const auto after = gas.view().particles;
-  particles.assign(after.begin(), after.end());
+  return particles;
 }
 
 template <int D>
@@ -77,13 +42,15 @@ void set_moving(std::vector<Phase<D>>& particles, const Scene& scene) {
 
 template <int D>
 Particles<D> initial_particles(const Scene& scene, const Setup<D>& setup, const Streams& streams) {
-  const double thermal = thermal_speed(scene);
-  std::vector<Phase<D>> particles = place<D>(scene, setup.particles, streams);
-  draw_velocities(particles, thermal, streams);
-  if (scene.initial.exact && scene.initial.temperature > 0) make_exact(particles, thermal);
+  if (!scene.given.empty()) return given_particles<D>(scene);
+  Particles<D> particles;
+  particles.species = shuffled_species(scene, streams);
+  particles.phases = place<D>(scene, setup.particles, streams, particles.species);
+  draw_velocities(particles, scene, streams);
+  if (is_rough(scene)) draw_spins(particles, scene, streams);
   if (scene.initial.equilibrate_collisions > 0) equilibrate(particles, scene, setup, streams);
-  set_moving(particles, scene);
-  return {std::move(particles), {}, {}, {}};
+  set_moving(particles.phases, scene);
+  return particles;
 }
 
 template Particles<2> initial_particles(const Scene&, const Setup<2>&, const Streams&);
