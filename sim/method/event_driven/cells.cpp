@@ -9,8 +9,10 @@ template <int D>
 Cells<D>::Cells(const Geometry<D>& geometry, double edge) : geometry_(geometry) {
   std::uint32_t size = 1;
   for (int axis = 0; axis < D; ++axis) {
-    const double fitting = std::clamp(std::floor(geometry.box[axis] / edge), 1.0, static_cast<double>(kMask));
     const std::size_t a = index(axis);
+    const double fewest = geometry.periodic[a] ? kFewestPeriodic : 1;
+    const double fitting =
+        std::clamp(std::floor(geometry.box[axis] / edge), fewest, static_cast<double>(kMask));
     count_[a] = static_cast<std::uint32_t>(fitting);
     edge_[axis] = geometry.box[axis] / fitting;
     per_edge_[axis] = 1 / edge_[axis];

@@ -37,7 +37,8 @@ class Candidates {
 template <int D>
 class Cells {
  public:
-  /// `edge` is the least edge of a cell.
+  /// `edge` is the least edge of a cell. A periodic axis has four at least: in fewer, particles of neighbouring cells may
+  /// stand more than half a box apart, and it is not the nearest image that they will meet.
   Cells(const Geometry<D>& geometry, double edge);
 
   void clear();
@@ -119,6 +120,7 @@ class Cells {
  private:
   static constexpr int kBits = D == 2 ? 16 : 10;
   static constexpr std::uint32_t kMask = (1u << kBits) - 1;
+  static constexpr double kFewestPeriodic = 4;
   static constexpr std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
 
   /// Places of the three neighbours along each axis, to be added up.

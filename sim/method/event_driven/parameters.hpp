@@ -40,10 +40,14 @@ struct Parameters {
     return largest;
   }
   /// Contacts reach into the neighbouring cells only. In a thin gas larger cells, with about two particles in three of
-  /// them, balance the crossings against the candidates of a search.
+  /// them, balance the crossings against the candidates of a search; but six along a periodic axis if they fit, so that
+  /// particles of neighbouring cells stay clear of half a box apart, where rounding would choose between two images.
   double cell_edge() const {
     const double count = static_cast<double>(std::max<std::uint64_t>(particles, 1));
-    return std::max(largest_diameter() * (1 + 1e-9), 0.8 * std::pow(geometry.box.prod() / count, 1.0 / D));
+    double edge = 0.8 * std::pow(geometry.box.prod() / count, 1.0 / D);
+    for (int axis = 0; axis < D; ++axis)
+      if (geometry.periodic[static_cast<std::size_t>(axis)]) edge = std::min(edge, geometry.box[axis] / 6);
+    return std::max(largest_diameter() * (1 + 1e-9), edge);
   }
 };
 
