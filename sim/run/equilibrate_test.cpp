@@ -113,6 +113,10 @@ TEST(Equilibrate, DoesNotDependOnLossAndFollowsTheSeed) {
   scene.species[0].restitution = 0.1;
   const Particles<2> lossy = start<2>(scene, 3);
   for (std::size_t i = 0; i < 100; ++i) ASSERT_EQ(elastic.phases[i].position, lossy.phases[i].position);
+  scene.run.seed = 2;
+  scene.initial.equilibrate_collisions = 3;
+  const auto other = initial_particles<2>(scene, set_up<2>(scene, {}), {2, 0}).phases;
+  EXPECT_NE(other[0].position, elastic.phases[0].position);
 }
 
 TEST(Equilibrate, SaysWhenNoCollisionComes) {
@@ -126,7 +130,7 @@ TEST(Equilibrate, SaysWhenNoCollisionComes) {
   EXPECT_THROW(start<2>(scene, 1), InputError);
 }
 
-/// 2 sqrt(pi) n d g sqrt(T/m) for disks and 4 n d^2 g sqrt(pi T/m) for spheres (physics of Enskog), and a mixture of two
+/// 2 sqrt(pi) n d g sqrt(T/m) for disks and 4 n d^2 g sqrt(pi T/m) for spheres (Enskog), and a mixture of two
 /// names for one kind.
 TEST(Equilibrate, RateIsEnskogs) {
   Scene disks = hard_scene({10, 10}, 40);
