@@ -14,8 +14,9 @@ namespace sandglass {
 namespace {
 std::vector<CheckInfo> join_families() {
   std::vector<CheckInfo> all;
-  for (const auto& family : {collision_checks, pressure_checks, conservation_checks, moment_checks,
-                             distribution_checks, cooling_checks, flux_checks, shear_checks})
+  for (const auto& family :
+       {collision_checks, pressure_checks, contact_checks, structure_checks, conservation_checks,
+        moment_checks, distribution_checks, cooling_checks, guarded_checks, flux_checks, shear_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }
@@ -78,12 +79,20 @@ const CheckInfo& find_check(const std::string& name) {
   throw InputError(unknown_word("check", name, names));
 }
 
+namespace {
+bool speaks_for_itself(const CheckInfo& check) {
+  return std::all_of(check.parameters.begin(), check.parameters.end(),
+                     [](const law::Parameter& parameter) { return parameter.fallback.has_value(); });
+}
+}  // namespace
+
 std::vector<const CheckInfo*> checks_for(const Record& record) {
   const Subject subject(record);
   std::vector<const CheckInfo*> fitting;
   for (const CheckInfo& check : all_checks()) {
     const auto measured = [&](const std::string& quantity) { return subject.has(quantity); };
-    if (check.applies(subject.scene()) && std::all_of(check.needs.begin(), check.needs.end(), measured))
+    if (speaks_for_itself(check) && check.applies(subject.scene()) &&
+        std::all_of(check.needs.begin(), check.needs.end(), measured))
       fitting.push_back(&check);
   }
   return fitting;
@@ -102,7 +111,8 @@ Evidence run_check(const CheckInfo& check, const Record& record, const Settings&
 bool is_uniform(const Scene& scene) {
   const auto& sides = scene.domain.sides;
   const auto& gravity = scene.gravity;
-  return scene.species.size() == 1 && std::all_of(sides.begin(), sides.end(), is_periodic) &&
+  return scene.species.size() == 1 && scene.obstacles.empty() && !is_rough(scene) &&
+         std::all_of(sides.begin(), sides.end(), is_periodic) &&
          std::all_of(gravity.begin(), gravity.end(), [](double component) { return component == 0; });
 }
 
@@ -113,7 +123,13 @@ bool is_equilibrium(const Scene& scene) {
 
 bool is_cooling(const Scene& scene) {
   return is_uniform(scene) && scene.species.front().restitution < 1 && !scene.initial.shear_wave &&
-         scene.method.preset != "reservoir";
+         scene.method.preset != "reservoir" && scene.method.guard == CollapseGuard::none;
+}
+
+bool is_guarded(const Scene& scene) {
+  Scene unguarded = scene;
+  unguarded.method.guard = CollapseGuard::none;
+  return scene.method.guard == CollapseGuard::contact_time && is_cooling(unguarded);
 }
 
 }  // namespace sandglass

@@ -33,7 +33,7 @@ struct CheckInfo {
 const std::vector<CheckInfo>& all_checks();
 /// Throws InputError naming the nearest spelling.
 const CheckInfo& find_check(const std::string& name);
-/// Checks that apply to the scene and find the series that they need in the record.
+/// Checks that apply to the scene, find the series that they need in the record, and need no number of a case.
 std::vector<const CheckInfo*> checks_for(const Record& record);
 
 /// Evaluates and adds the case's part of the budget. Throws InputError when a number is unknown or out of

@@ -1,6 +1,7 @@
 #include "validation/check/families.hpp"
 #include "validation/check/finite_size.hpp"
 #include "validation/law/enskog.hpp"
+#include "validation/law/virial.hpp"
 
 #include <cmath>
 
@@ -31,7 +32,10 @@ Figure rate_figure(const std::vector<double>& time, const std::vector<double>& r
   return figure;
 }
 
-Evidence collision_rate(const Subject& subject, const law::Arguments&) {
+law::Bounded enskog_rate(const law::Gas& gas) { return {law::collision_rate(gas), 0, 0}; }
+
+/// The measured rate against what `rate_of` makes of the gas at the run's own temperature.
+Evidence against(const Subject& subject, law::Bounded (*rate_of)(const law::Gas&)) {
   std::vector<std::vector<double>> rates;
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)
     rates.push_back(interval_rates(subject, replica));
@@ -41,15 +45,38 @@ Evidence collision_rate(const Subject& subject, const law::Arguments&) {
   evidence.value = rate.value;
   evidence.standard_error = rate.standard_error;
   evidence.degrees_of_freedom = rate.degrees_of_freedom;
-  evidence.expected = law::collision_rate(subject.gas(subject.mean_temperature())) *
-                      collision_rate_factor(subject.particles(), subject.dimension());
-  evidence.budget.systematic = subject.missing_pairs() * evidence.expected;
+  const law::Bounded theory = rate_of(subject.gas(subject.mean_temperature()));
+  const double factor = subject.pair_factor() * relative_speed_factor(subject.degrees_of_freedom());
+  evidence.expected = theory.value * factor;
+  evidence.budget.reference = theory.standard_error * factor;
+  evidence.budget.systematic = subject.missing_pairs() * evidence.expected + theory.bound * factor;
   evidence.budget.reason = subject.missing_pairs() > 0 ? "pairs that an offset takes from a cell, (1-S)/N_c"
                                                        : "finite N is part of the expectation";
   const double scatter = mean_of_independent(rates.front()).standard_error;
   evidence.figures.push_back(rate_figure(subject.series(0, "collisions").time, rates.front(),
                                          evidence.expected,
                                          scatter * std::sqrt(static_cast<double>(rates.front().size()))));
+  return evidence;
+}
+
+Evidence collision_rate(const Subject& subject, const law::Arguments&) {
+  return against(subject, enskog_rate);
+}
+
+Evidence reference_rate(const Subject& subject, const law::Arguments&) {
+  Evidence evidence = against(subject, law::reference_collision_rate);
+  evidence.budget.reason += "; terms that the virial series leaves out";
+  return evidence;
+}
+
+Evidence mean_free_time(const Subject& subject, const law::Arguments& numbers) {
+  Evidence evidence = against(subject, law::reference_collision_rate);
+  evidence.units = "time";
+  evidence.standard_error /= evidence.value * evidence.value;
+  evidence.value = 1 / evidence.value;
+  evidence.expected = numbers.at("stated");
+  evidence.budget = {0, numbers.at("digit"), "last digit of the number that the source gives", 0};
+  evidence.figures.clear();
   return evidence;
 }
 }  // namespace
@@ -62,7 +89,24 @@ std::vector<CheckInfo> collision_checks() {
            true,
            {},
            is_equilibrium,
-           collision_rate}};
+           collision_rate},
+          {"collision-rate-reference",
+           "the same against the contact value as well as it is known",
+           "collision-rate-reference",
+           {"collisions", "temperature"},
+           true,
+           {},
+           is_equilibrium,
+           reference_rate},
+          {"mean-free-time",
+           "time per particle between collisions against the number that a source states",
+           "",
+           {"collisions", "temperature"},
+           true,
+           {{"stated", "time", "mean free time that the source states", 1e-300, 1e300},
+            {"digit", "time", "what its last digit leaves open", 0, 1e300}},
+           is_equilibrium,
+           mean_free_time}};
 }
 
 }  // namespace sandglass

@@ -1,7 +1,9 @@
 #include "validation/check/finite_size.hpp"
 #include "validation/check/synthetic.hpp"
+#include "validation/law/contact.hpp"
 #include "validation/law/enskog.hpp"
 #include "validation/law/state.hpp"
+#include "validation/law/virial.hpp"
 
 #include <cmath>
 
@@ -71,6 +73,59 @@ TEST(Compressibility, BudgetKnowsTheMissingPairs) {
   const Evidence evidence = compressibility_of(1, 0);
   const double of_collisional_part = evidence.budget.systematic / (evidence.expected - 1) * 999 / 1000;
   EXPECT_NEAR(of_collisional_part, (1 - 1 / inverse_structure) / 250, 1e-9);
+}
+
+/// A dense gas of event-driven disks whose rate is that of the reference contact value times 1 + error.
+Evidence dense_rate_of(const std::string& check, double error, const Settings& settings) {
+  const GasScene scene{.area_fraction = 0.65, .event_driven = true};
+  Record record = record_of(scene, 8);
+  Generator generator(14);
+  const double rate = (1 + error) * law::reference_collision_rate(scene.gas()).value *
+                      fixed_count_factor(2, 0.65, 1000) * relative_speed_factor(2 * 999);
+  std::poisson_distribution<int> collisions(rate * 1000 / 2);
+  for (std::size_t replica = 0; replica < 8; ++replica) {
+    add_sample(add_series(record, replica, "temperature", {"x", "y", "total"}), 0, {1, 1, 1});
+    Series& series = add_series(record, replica, "collisions", {});
+    double total = 0;
+    for (int i = 0; i < 50; ++i) {
+      add_sample(series, i, {total});
+      total += collisions(generator);
+    }
+  }
+  return run_check(find_check(check), record, settings);
+}
+
+TEST(CollisionRateReference, TellsHendersonFromTheFluid) {
+  const auto excess = [](const Evidence& evidence) {
+    return (std::abs(evidence.value - evidence.expected) - evidence.budget.systematic) /
+           evidence.standard_error;
+  };
+  EXPECT_LT(excess(dense_rate_of("collision-rate-reference", 0, {})), 4);
+  EXPECT_GT(excess(dense_rate_of("collision-rate-reference", 0.025, {})), 10);  // Henderson's g
+  EXPECT_GT(excess(dense_rate_of("collision-rate", 0, {})), 10);
+}
+
+TEST(MeanFreeTime, IsHeldAgainstTheStatedNumber) {
+  const double time = 1 / law::reference_collision_rate({.dimension = 2, .fraction = 0.65}).value;
+  const Evidence evidence =
+      dense_rate_of("mean-free-time", 0, {{{"stated", time}, {"digit", 0.0001}}, 0, 0, ""});
+  EXPECT_NEAR(evidence.value, time, 0.001 * time);
+  EXPECT_EQ(evidence.expected, time);
+  EXPECT_EQ(evidence.budget.systematic, 0.0001);
+  EXPECT_THROW(dense_rate_of("mean-free-time", 0, {}), InputError);
+}
+
+TEST(CompressibilityReference, DiffersFromHendersonByItsError) {
+  const Evidence evidence = compressibility_of(1, 0);
+  EXPECT_GT(evidence.expected, 1);
+  Record record = record_of({}, 10);
+  for (std::size_t replica = 0; replica < 10; ++replica) {
+    Series& series = add_series(record, replica, "pressure", {"kinetic", "collisional", "total"});
+    for (int i = 0; i < 5; ++i) add_sample(series, i, {1, 0.79 + 0.001 * static_cast<double>(replica), 1.8});
+  }
+  const double expected = run_check(find_check("compressibility-reference"), record, {}).expected;
+  EXPECT_NEAR(expected, 1 + 0.5 * law::virial_contact_value(2, 0.25) * 0.999, 2e-4);
+  EXPECT_NE(expected, evidence.expected);
 }
 
 Evidence conservation_of(const std::string& check, double drift) {

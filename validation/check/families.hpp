@@ -10,18 +10,23 @@ namespace sandglass {
 
 std::vector<CheckInfo> collision_checks();
 std::vector<CheckInfo> pressure_checks();
+std::vector<CheckInfo> contact_checks();
+std::vector<CheckInfo> structure_checks();
 std::vector<CheckInfo> conservation_checks();
 std::vector<CheckInfo> moment_checks();
 std::vector<CheckInfo> distribution_checks();
 std::vector<CheckInfo> cooling_checks();
+std::vector<CheckInfo> guarded_checks();
 std::vector<CheckInfo> flux_checks();
 std::vector<CheckInfo> shear_checks();
 
-/// One species, periodic on every side, no forces: what the laws of a uniform gas assume.
+/// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);
 /// is_uniform, elastic and without a shear wave: stationary from time zero.
 bool is_equilibrium(const Scene& scene);
-/// is_uniform and dissipative.
+/// is_uniform and dissipative, every collision at the species' restitution.
 bool is_cooling(const Scene& scene);
+/// Cooling under the TC model.
+bool is_guarded(const Scene& scene);
 
 }  // namespace sandglass

@@ -1,5 +1,8 @@
 #include "validation/check/finite_size.hpp"
 
+#include "validation/law/contact.hpp"
+#include "validation/law/state.hpp"
+
 #include <cmath>
 
 #include <gsl/gsl_cdf.h>
@@ -17,6 +20,15 @@ double relative_speed_factor(double degrees_of_freedom) {
   if (k > 1e6)
     return 1 + 1 / (4 * k);  // the difference of two log-Gammas loses digits; the next term is below 1e-13
   return std::sqrt(k / 2) * std::exp(std::lgamma(k / 2) - std::lgamma((k + 1) / 2));
+}
+
+double fixed_count_factor(int dimension, double fraction, double particles) {
+  constexpr double step = 1e-3;
+  const auto pairs = [&](double nu) { return nu * nu * law::contact_value(dimension, nu); };
+  const double curvature =
+      (pairs(fraction + step) - 2 * pairs(fraction) + pairs(fraction - step)) / (step * step);
+  const double structure = law::long_wave_structure({.dimension = dimension, .fraction = fraction});
+  return 1 - structure * curvature / (2 * particles * law::contact_value(dimension, fraction));
 }
 
 double collision_rate_factor(double particles, int dimension) {

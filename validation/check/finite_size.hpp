@@ -15,6 +15,10 @@ double self_normalised_factor(int order, double degrees_of_freedom);
 /// 1/(4K) + ...
 double relative_speed_factor(double degrees_of_freedom);
 
+/// Pairs in contact over those of an infinite gas of hard particles at the same density, when N is fixed:
+/// 1 - S(0)/(2 N g) d^2(nu^2 g)/dnu^2, which is 1 - 1/N for a dilute gas. Lebowitz & Percus (1961); O(1/N^2) left out.
+double fixed_count_factor(int dimension, double fraction, double particles);
+
 /// Collision rate over the Enskog rate of an infinite gas: a particle has N-1 partners, not N.
 double collision_rate_factor(double particles, int dimension);
 

@@ -80,5 +80,15 @@ TEST(FiniteSize, ComponentCumulative) {
   EXPECT_NEAR(component_cumulative(1, 1, 1e6, 2), 0.5 * std::erfc(-1 / std::sqrt(2.0)), 1e-6);
 }
 
+TEST(FixedCountFactor, OfADiluteGasCountsPartners) {
+  for (int dimension : {2, 3}) EXPECT_NEAR(fixed_count_factor(dimension, 0.002, 100), 0.99, 1e-4);
+}
+
+TEST(FixedCountFactor, FallsOffWithDensity) {
+  const double dense = 1000 * (1 - fixed_count_factor(2, 0.65, 1000));
+  EXPECT_NEAR(dense, 0.41, 0.02);  // by hand: S = 1/41, d^2(nu^2 g)/dnu^2 = 193, g = 5.84
+  EXPECT_LT(dense, 1000 * (1 - fixed_count_factor(2, 0.25, 1000)));
+}
+
 }  // namespace
 }  // namespace sandglass

@@ -1,5 +1,6 @@
 #include "validation/check/families.hpp"
 #include "validation/law/state.hpp"
+#include "validation/law/virial.hpp"
 
 namespace sandglass {
 
@@ -22,15 +23,26 @@ Evidence from_mean(const Mean& mean, double expected) {
   return evidence;
 }
 
-Evidence compressibility(const Subject& subject, const law::Arguments&) {
+Evidence against(const Subject& subject, const law::Bounded& theory) {
   std::vector<std::vector<double>> samples;
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)
     samples.push_back(compressibility_samples(subject, replica));
-  const double z = law::compressibility_factor(subject.gas(subject.scene().initial.temperature));
-  const double partners = (subject.particles() - 1) / subject.particles();  // of each particle, over N
-  Evidence evidence = from_mean(pooled(samples), 1 + (z - 1) * partners);
-  evidence.budget.systematic = subject.missing_pairs() * (z - 1);
+  const double partners = subject.pair_factor();
+  Evidence evidence = from_mean(pooled(samples), 1 + (theory.value - 1) * partners);
+  evidence.budget.reference = theory.standard_error;
+  evidence.budget.systematic = subject.missing_pairs() * (theory.value - 1) + theory.bound;
   evidence.budget.reason = "pairs that an offset takes from a cell, (1-S)/N_c";
+  return evidence;
+}
+
+Evidence compressibility(const Subject& subject, const law::Arguments&) {
+  const law::Gas gas = subject.gas(subject.scene().initial.temperature);
+  return against(subject, {law::compressibility_factor(gas), 0, 0});
+}
+
+Evidence reference_compressibility(const Subject& subject, const law::Arguments&) {
+  Evidence evidence = against(subject, law::reference_compressibility(subject.gas(1)));
+  evidence.budget.reason += "; terms that the virial series leaves out";
   return evidence;
 }
 
@@ -61,6 +73,14 @@ std::vector<CheckInfo> pressure_checks() {
            {},
            uniform,
            compressibility},
+          {"compressibility-reference",
+           "the same against the equation of state as well as it is known",
+           "compressibility-reference",
+           {"pressure"},
+           true,
+           {},
+           uniform,
+           reference_compressibility},
           {"kinetic-pressure",
            "momentum carried by free flight against n T",
            "kinetic-pressure",

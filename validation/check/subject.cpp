@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
+#include "validation/check/finite_size.hpp"
 #include "validation/law/enskog.hpp"
 #include "validation/law/state.hpp"
 
@@ -52,12 +53,12 @@ double Subject::collisions_per_step() const {
 
 double Subject::missing_pairs() const {
   if (scene_.method.offset == Offset::none || particles_per_cell() == 0) return 0;
-  law::Gas elastic = gas(1);
-  elastic.restitution = 1;
-  const double z = law::compressibility_factor(elastic);
-  const double speed = law::sound_speed(elastic);
-  const double inverse_structure = speed * speed * elastic.mass - 2 * z * z / dimension();
-  return (1 - 1 / inverse_structure) / particles_per_cell();
+  return (1 - law::long_wave_structure(gas(1))) / particles_per_cell();
+}
+
+double Subject::pair_factor() const {
+  if (!is_event_driven(scene_)) return (particles_ - 1) / particles_;
+  return fixed_count_factor(dimension(), fraction(scene_, species()), particles_);
 }
 
 law::Gas Subject::gas(double temperature) const {

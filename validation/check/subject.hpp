@@ -32,6 +32,10 @@ class Subject {
   /// without cells.
   double missing_pairs() const;
 
+  /// Pairs that can collide over those of an infinite gas: (N-1)/N where partners are drawn at random, and
+  /// fixed_count_factor where hard particles really touch.
+  double pair_factor() const;
+
   /// The gas of the scene at the given temperature, for laws.
   law::Gas gas(double temperature) const;
 

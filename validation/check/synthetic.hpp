@@ -22,6 +22,8 @@ struct GasScene {
   double restitution = 1;
   std::string initial = "";  ///< further lines of [initial]
   std::string observe = "";  ///< [[observe]] tables
+  bool event_driven = false;
+  double contact_time = 0;  ///< of the collapse guard; 0: none
 
   std::string text() const;
   law::Gas gas() const { return {2, 1, 1, 1, area_fraction, restitution}; }

@@ -9,14 +9,21 @@
 namespace sandglass::synthetic {
 
 std::string GasScene::text() const {
+  std::string method = "preset = \"cba\"\ncells = [2, 2]\ntime-step = { collisions-per-particle = 0.01 }\n";
+  if (event_driven) method = "preset = \"event-driven\"\ntime-step = 0.1\n";
+  if (contact_time > 0)
+    method += fmt::format("collapse-guard = \"contact-time\"\ncontact-time = {}\n", contact_time);
+  if (event_driven)
+    method += "[initial]\npositions = \"lattice\"\n";
+  else
+    method += "[initial]\n";
   const double edge = std::sqrt(particles * std::numbers::pi / 4 / area_fraction);
   return fmt::format(
       "title = \"synthetic\"\n[run]\nseed = 1\nduration = {{ steps = 100 }}\n"
       "[domain]\ndimension = 2\nsize = [{0}, {0}]\n"
       "[[species]]\ncount = {1}\nrestitution = {2}\n"
-      "[method]\npreset = \"cba\"\ncells = [2, 2]\ntime-step = {{ collisions-per-particle = 0.01 }}\n"
-      "[initial]\n{3}\n{4}\n",
-      edge, particles, restitution, initial, observe);
+      "[method]\n{5}{3}\n{4}\n",
+      edge, particles, restitution, initial, observe, method);
 }
 
 Record record_of(const GasScene& scene, std::size_t replicas) {

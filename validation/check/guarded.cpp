@@ -1,0 +1,117 @@
+#include "validation/law/guarded.hpp"
+
+#include "sim/base/error.hpp"
+#include "validation/check/families.hpp"
+#include "validation/law/sonine.hpp"
+
+#include <cmath>
+
+// Energy lost per collision under the TC model, over each interval between samples, divided by what the share of the
+// guard at the run's own collision rate predicts. The rate is counted, so no contact value enters.
+
+namespace sandglass {
+
+namespace {
+struct Interval {
+  double loss;   ///< ln(E before / E after) per collision of a particle
+  double cover;  ///< collisions of a particle within the contact time
+};
+
+struct Window {
+  double from, to;  ///< in collisions per particle
+};
+
+std::vector<Interval> intervals(const Subject& subject, std::size_t replica, const Window& window) {
+  const Series& series = subject.series(replica, "energy");
+  const std::vector<double> tau = subject.collisions_per_particle(replica, series);
+  const std::vector<double> energy = subject.column(replica, "energy", "");
+  std::vector<Interval> found;
+  for (std::size_t i = 1; i < tau.size(); ++i) {
+    if (tau[i - 1] < window.from || tau[i] > window.to) continue;
+    const double collisions = tau[i] - tau[i - 1];
+    found.push_back(
+        {std::log(energy[i - 1] / energy[i]) / collisions,
+         collisions / (series.time[i] - series.time[i - 1]) * subject.scene().method.contact_time});
+  }
+  if (found.empty())
+    throw InputError(
+        "no two samples lie between 'settle-collisions' and 'last-collisions': sample more often, or widen "
+        "them");
+  return found;
+}
+
+/// Loss per collision without a guard.
+double unguarded_loss(const Subject& subject) {
+  const double r = subject.species().restitution;
+  const double a2 = law::sonine_a2(subject.dimension(), r);
+  return (1 - r * r) / subject.dimension() * law::sonine_cooling_factor(a2) /
+         law::sonine_collision_factor(a2);
+}
+
+/// How far the two shares, with speeds resolved and without, stand apart: the theory knows no better.
+double model_error(const Subject& subject, double cover) {
+  const double share = law::guarded_share(subject.dimension(), cover);
+  return std::abs(law::guarded_share_of_mean_rate(cover) / share - 1);
+}
+
+Figure share_figure(const std::vector<Interval>& run, double unguarded, int dimension) {
+  Figure figure{"Share of the energy loss that the guard leaves",
+                {"collisions within the contact time", "1", false},
+                {"share", "1", false},
+                {},
+                {}};
+  Figure::Points points{"first replica", {}, {}, {}, {}};
+  for (const Interval& interval : run) {
+    points.x.push_back(interval.cover);
+    points.y.push_back(interval.loss / unguarded);
+    points.error.push_back(0);
+    points.expected.push_back(law::guarded_share(dimension, interval.cover));
+  }
+  figure.lines.push_back({"theory", points.x, points.expected});
+  figure.points.push_back(std::move(points));
+  return figure;
+}
+
+Evidence guarded_cooling(const Subject& subject, const law::Arguments& numbers) {
+  const Window window{numbers.at("settle-collisions"), numbers.at("last-collisions")};
+  const double unguarded = unguarded_loss(subject);
+  std::vector<std::vector<double>> ratios;
+  double error = 0, count = 0;
+  for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
+    ratios.emplace_back();
+    for (const Interval& interval : intervals(subject, replica, window)) {
+      ratios.back().push_back(interval.loss / unguarded /
+                              law::guarded_share(subject.dimension(), interval.cover));
+      error += model_error(subject, interval.cover);
+      ++count;
+    }
+  }
+  const Mean ratio = pooled(ratios);
+  const double a2 = law::sonine_a2(subject.dimension(), subject.species().restitution);
+  Evidence evidence;
+  evidence.value = ratio.value;
+  evidence.standard_error = ratio.standard_error;
+  evidence.degrees_of_freedom = ratio.degrees_of_freedom;
+  evidence.expected = 1;
+  evidence.budget.systematic = error / count + std::abs(a2) / 4 + 2 / subject.particles();
+  evidence.budget.reason =
+      "distance of the share with speeds resolved from exp(-2 omega t_c), Sonine order, 2/N";
+  evidence.figures.push_back(share_figure(intervals(subject, 0, window), unguarded, subject.dimension()));
+  return evidence;
+}
+}  // namespace
+
+std::vector<CheckInfo> guarded_checks() {
+  return {{"guarded-cooling",
+           "energy lost per collision under the TC model over what its share of elastic collisions leaves",
+           "guarded-share",
+           {"energy", "collisions"},
+           true,
+           {{"settle-collisions", "1", "collisions per particle left out at the start", 0, 1e9, 2.0},
+            {"last-collisions", "1", "collisions per particle at which the gas is no longer homogeneous", 0,
+             1e9, 1e9}},
+           is_guarded,
+           guarded_cooling}};
+}
+
+}  // namespace sandglass
