@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/observe/sums.hpp"
+#include "sim/run/equilibrate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,15 +11,20 @@
 
 namespace sandglass {
 
+double mean_speed(int dimension, double thermal_speed) {
+  return thermal_speed * std::sqrt(dimension == 2 ? M_PI / 2 : 8 / M_PI);
+}
+
 template <int D>
 double expected_collision_rate(const Scene& scene, const Setup<D>& setup, double temperature) {
+  if (is_event_driven(scene)) return enskog_rate(scene, temperature);
   const Species& species = scene.species.front();
   const double contact =
       setup.parameters.factor.formula == nullptr ? 1 : setup.parameters.factor.formula(fraction(scene)).value;
-  const double mean_speed = std::sqrt((D == 2 ? M_PI / 2 : 8 / M_PI) * temperature / species.mass);
   const double density =
       static_cast<double>(particle_count(scene)) * scene.method.weight / volume(scene.domain);
-  return M_SQRT2 * density * setup.parameters.cross_section * contact * mean_speed;
+  return M_SQRT2 * density * setup.parameters.cross_section * contact *
+         mean_speed(D, std::sqrt(temperature / species.mass));
 }
 
 template <int D>

@@ -6,6 +6,9 @@
 
 namespace sandglass {
 
+/// Mean speed of a Maxwellian gas from sqrt(T/m).
+double mean_speed(int dimension, double thermal_speed);
+
 /// Enskog's collisions per particle and time of a gas of this granular temperature at the scene's mean density; the
 /// contact value is one for a method without a contact factor.
 template <int D>
