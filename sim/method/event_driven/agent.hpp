@@ -15,6 +15,7 @@ struct Guest {
   Spin<D>* spin = nullptr;  ///< null: smooth
   double radius = 0.5, mass = 1, inertia = 0;
   std::size_t species = 0;
+  bool guarded = false;  ///< by the TC model: a dissipative contact is elastic
 };
 
 /// What an agent may do to the whole gas at an event of its own.

@@ -44,8 +44,10 @@ void Engine<D, F, M>::assign(const Particles<D>& particles) {
   gas_.assign(particles, parameters_);
   for (std::uint32_t i = 0; i < gas_.size(); ++i) gas_.next[i].cell = cells_.cell_of(gas_.bodies[i].position);
   now_ = origin_ = 0;
+  drawn_ = 0;
+  stall_ = {};
   seen_ = -1;
-  prefetches_ = Prefetch<D, F>::pays(gas_.size());
+  prefetches_ = Prefetch<D>::pays(gas_.size());
   gas_.reorder(order_by_cell(gas_, cells_));
   fill_cells();
   for (std::uint32_t i = 0; i < gas_.size(); ++i) note(i, first_contact(i));
@@ -73,13 +75,23 @@ void Engine<D, F, M>::fill_cells() {
 
 template <int D, class F, bool M>
 void Engine<D, F, M>::fill_calendar() {
-  stall_.set_scale(speed_scale(gas_));
+  scale_stall();
   calendar_.start(era_.width, era_.buckets);
   for (std::uint32_t i = 0; i < gas_.size(); ++i) calendar_.push(gas_.next[i].time, i);
 }
 
+/// An era shrinks along with the bounces of a ball. Gravity and the diameter have a speed and a time that do not.
+template <int D, class F, bool M>
+void Engine<D, F, M>::scale_stall() {
+  const double g = parameters_.gravity.norm(), d = parameters_.largest_diameter();
+  const double era = era_.end() < HUGE_VAL ? era_.end() : 0;
+  stall_.set_scale(std::max(speed_scale(gas_), std::sqrt(g * d)),
+                   std::max(era, g > 0 ? std::sqrt(d / g) : 0));
+}
+
 template <int D, class F, bool M>
 void Engine<D, F, M>::step(double dt, std::uint64_t) {
+  seen_ = -1;
   double left = dt;
   for (;;) {
     const auto next = std::ranges::min_element(agents_, {}, [](const auto& agent) { return agent->next(); });
@@ -111,7 +123,7 @@ void Engine<D, F, M>::run_until(double duration) {
     if (entry->time > end) break;
     const EventCalendar::Entry event = *entry;
     calendar_.pop();
-    if (prefetches_) prefetch_(gas_, cells_, flight_, calendar_);
+    if (prefetches_) prefetch_(gas_, cells_, calendar_);
     if (gas_.next[event.owner].time != event.time) continue;
     now_ = event.time;
     handle(event.owner);
@@ -135,17 +147,18 @@ void Engine<D, F, M>::cross(std::uint32_t particle) {
   ++tally_.crossings;
   Body<D>* bodies = gas_.bodies.data();
   Next& next = gas_.next[particle];
-  const Exit exit = first_exit(cells_, flight_, bodies[particle], next.cell, now_);
+  const int axis = Exit::axis_of(next.exit);
+  const bool up = Exit::up_of(next.exit);
   double shift = 0;
-  const std::uint32_t cell = cells_.step(next.cell, exit.axis, exit.up, shift);
+  const std::uint32_t cell = cells_.step(next.cell, axis, up, shift);
   cells_.leave(bodies, particle, next.cell);
   cells_.enter(bodies, particle, cell);
   next.cell = cell;
-  bodies[particle].position[exit.axis] += shift;
+  bodies[particle].position[axis] += shift;
   Contact best{next.contact, next.partner};
   const Next known = next;
   if (!parameters_.faults.blind_crossing) {
-    cells_.collect_ahead(bodies, cell, exit.axis, exit.up, near_);
+    cells_.collect_ahead(bodies, cell, axis, up, near_);
     search_.earliest(gas_, particle, near_, now_, best);
   }
   ask_agents(particle, best);
@@ -167,6 +180,7 @@ void Engine<D, F, M>::collide(std::uint32_t i, std::uint32_t j) {
   tally_.deepest_overlap = std::max(tally_.deepest_overlap, overlap);
   if (parameters_.impact_bins > 0) count_impact(normal, first.velocity - second.velocity);
   const Impact<D> impact = rule_.apply(gas_, i, j, normal, now_, tally_.guarded);
+  part(normal, first.velocity, second.velocity);
   if (stall_.contact(now_, impact.approach)) refuse_collapse(i, j);
   if (parameters_.measure_transfer) transfer_ += impact.impulse.dot(separation);
   ++tally_.collisions;
@@ -192,9 +206,12 @@ void Engine<D, F, M>::meet(std::uint32_t particle, std::uint32_t agent) {
   if (!gas_.spins.empty()) visitor.spin = &gas_.spins[particle];
   Body<D>& body = gas_.bodies[particle];
   const Vector<D> before = visitor.velocity;
+  visitor.guarded = rule_.guards(gas_, particle, now_);
   Random random(StreamKey(streams_.seed, Purpose::walls, streams_.replica, 0), drawn_++);
   if (agents_[agent]->act(visitor, clock(), random)) {
     ++body.changes;
+    tally_.guarded += visitor.guarded;
+    rule_.remember(gas_, particle, now_);
     if (stall_.contact(now_, (visitor.velocity - before).norm())) refuse_collapse(particle, particle);
   }
   body.position = visitor.position;
@@ -247,8 +264,9 @@ void Engine<D, F, M>::note(std::uint32_t particle, const Contact& contact) {
   next.contact = contact.time;
   next.partner = contact.partner;
   next.partner_changes = contact.partner < kFirstAgent ? gas_.bodies[contact.partner].changes : 0;
-  next.time =
-      std::min(contact.time, first_exit(cells_, flight_, gas_.bodies[particle], next.cell, now_).time);
+  const Exit exit = first_exit(cells_, flight_, gas_.bodies[particle], next.cell, now_);
+  next.exit = exit.code();
+  next.time = std::min(contact.time, exit.time);
 }
 
 template <int D, class F, bool M>
@@ -262,7 +280,8 @@ Guest<D> Engine<D, F, M>::guest_at(std::uint32_t particle, double time) const {
           traits.diameter / 2,
           traits.mass,
           traits.inertia,
-          kind};
+          kind,
+          false};
 }
 
 template <int D, class F, bool M>

@@ -46,6 +46,7 @@ class Engine final : public Simulator<D>, private Gathering<D> {
   void begin_era();
   void fill_cells();
   void fill_calendar();
+  void scale_stall();
   void watch_cells();
 
   double clock() const { return origin_ + now_; }
@@ -71,7 +72,7 @@ class Engine final : public Simulator<D>, private Gathering<D> {
   Gas<D> gas_;
   Era era_;
   EventCalendar calendar_;
-  Prefetch<D, Flight> prefetch_;
+  Prefetch<D> prefetch_;
   bool prefetches_ = false;
   Candidates near_;
   StallMonitor stall_;

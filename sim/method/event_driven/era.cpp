@@ -11,18 +11,23 @@ constexpr double kFewestPerBucket = 16, kMostPerBucket = 256;
 constexpr double kParticlesPerEntry =
     1000;  // with more particles fewer, fuller buckets: their ends stay in the cache
 constexpr double kFewestBuckets = 64;
+constexpr double kInstant = 1e-300;
 }  // namespace
 
 template <int D>
 Era plan_era(const Gas<D>& gas) {
   std::vector<double> delays;
   for (const Next& next : gas.next)
-    if (next.time < HUGE_VAL) delays.push_back(next.time);
-  if (delays.empty()) return {};
+    if (next.time > 0 && next.time < HUGE_VAL) delays.push_back(next.time);
+  if (delays.empty()) {
+    // Simultaneous contacts tell nothing of the times to come: they have an era of their own, too short for anything else.
+    const bool now = std::ranges::any_of(gas.next, [](const Next& next) { return next.time <= 0; });
+    return now ? Era{kInstant, 1} : Era{};
+  }
   const auto middle = delays.begin() + static_cast<std::ptrdiff_t>(delays.size() / 2);
   std::nth_element(delays.begin(), middle, delays.end());
-  // The median of an exponential distribution is ln 2 times its mean. All at once: any width will do.
-  const double interval = *middle > 0 ? *middle / M_LN2 : 1;
+  // The median of an exponential distribution is ln 2 times its mean.
+  const double interval = std::max(*middle / M_LN2, kInstant);
   const double count = static_cast<double>(delays.size());
   const double per_bucket = std::clamp(count / kParticlesPerEntry, kFewestPerBucket, kMostPerBucket);
   const double buckets = std::max(kFewestBuckets, std::ceil(kEventsPerEra * count / per_bucket));

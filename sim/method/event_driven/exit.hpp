@@ -10,7 +10,23 @@ struct Exit {
   double time = HUGE_VAL;
   int axis = 0;
   bool up = false;
+
+  /// As Next keeps it. It is not looked for again at the crossing: there, an arc that hardly gets over the edge may seem
+  /// to turn before it.
+  std::uint32_t code() const { return 2 * static_cast<std::uint32_t>(axis) + up; }
+  static int axis_of(std::uint32_t code) { return static_cast<int>(code / 2); }
+  static bool up_of(std::uint32_t code) { return code % 2 != 0; }
 };
+
+/// When an arc leaves through one face of its cell. One that is back before the clock moves on does not: it would leave
+/// and come back without an end.
+inline double time_to_exit(double x, double v, double g, double face, double outward, double now) {
+  const double time = time_to_wall(x, v, g, face, outward);
+  const double pull = g * outward, gap = std::max(0.0, (face - x) * outward);
+  if (!(time < HUGE_VAL) || pull >= 0) return time;
+  const double outside = -2 * std::sqrt(std::max(0.0, v * v + 2 * pull * gap)) / pull;
+  return now + time + outside > now + time ? time : HUGE_VAL;
+}
 
 /// First exit after `now`. A straight flight is followed from its beginning, so that every look gives the same time; a
 /// parabola may come back through the wall where it came in, and is followed from now.
@@ -22,8 +38,8 @@ Exit first_exit(const Cells<D>& cells, const Flight& flight, const Body<D>& body
     const Vector<D> position = flight.position(body, now), velocity = flight.velocity(body, now);
     for (int axis = 0; axis < D; ++axis) {
       const double x = position[axis], v = velocity[axis], g = flight.acceleration(axis);
-      const double down = time_to_wall(x, v, g, cells.low_edge(cell, axis), -1);
-      const double up = time_to_wall(x, v, g, cells.high_edge(cell, axis), 1);
+      const double down = time_to_exit(x, v, g, cells.low_edge(cell, axis), -1, now);
+      const double up = time_to_exit(x, v, g, cells.high_edge(cell, axis), 1, now);
       if (now + std::min(down, up) < exit.time) exit = {now + std::min(down, up), axis, up < down};
     }
   } else {

@@ -23,7 +23,7 @@ void Gas<D>::assign(const Particles<D>& particles, const Parameters<D>& paramete
   bodies.resize(count);
   for (std::size_t i = 0; i < count; ++i)
     bodies[i] = {particles.phases[i].position, particles.phases[i].velocity, 0, 0, kNobody};
-  next.assign(count, {HUGE_VAL, HUGE_VAL, kNobody, 0, 0});
+  next.assign(count, {HUGE_VAL, HUGE_VAL, kNobody, 0, 0, 0});
   spins.assign(parameters.rough ? count : 0, Spin<D>::Zero());
   if (parameters.rough) std::copy(particles.spins.begin(), particles.spins.end(), spins.begin());
   species.assign(parameters.species.size() > 1 ? count : 0, 0);

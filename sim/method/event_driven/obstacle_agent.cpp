@@ -18,7 +18,9 @@ double ObstacleAgent<D>::delay(const Guest<D>& guest, double) const {
 template <int D>
 bool ObstacleAgent<D>::act(Guest<D>& guest, double, Random& random) {
   const Vector<D> normal = (guest.position - centre_).normalized();
-  reflect<D>(rule_, normal, Vector<D>::Zero(), guest.mass, guest.radius, guest.inertia, guest.velocity,
+  WallRule rule = rule_;
+  if (guest.guarded) rule.surface.normal = {1, 0};
+  reflect<D>(rule, normal, Vector<D>::Zero(), guest.mass, guest.radius, guest.inertia, guest.velocity,
              guest.spin, random);
   return true;
 }

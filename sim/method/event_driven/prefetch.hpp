@@ -9,7 +9,7 @@ namespace sandglass::event_driven {
 /// Brings the cache lines that coming events will read, in the order in which they can be known: the particle; its partner
 /// and the cells around; who is in those. It changes nothing: in a gas beyond the cache an event would wait for about
 /// twenty lines one after the other.
-template <int D, class Flight>
+template <int D>
 class Prefetch {
  public:
   /// Pays from about this size on.
@@ -17,15 +17,14 @@ class Prefetch {
     return particles * (sizeof(Body<D>) + sizeof(Next)) > (2u << 20);
   }
 
-  void operator()(const Gas<D>& gas, const Cells<D>& cells, const Flight& flight,
-                  const EventCalendar& calendar) {
+  void operator()(const Gas<D>& gas, const Cells<D>& cells, const EventCalendar& calendar) {
     if (const auto* entry = calendar.peek(20)) fetch_particle(gas, entry->owner);
     if (const Next* next = valid(gas, calendar.peek(14))) {
       cells.prefetch_around(next->cell);
       if (next->partner < kFirstAgent) fetch_particle(gas, next->partner);
     }
     if (const auto* entry = calendar.peek(8); const Next* next = valid(gas, entry)) {
-      if (next->time < next->contact) return fetch_ahead(gas, cells, flight, entry->owner, *next);
+      if (next->time < next->contact) return fetch_ahead(gas, cells, *next);
       fetch_around(gas, cells, next->cell);
       if (next->partner < kFirstAgent) cells.prefetch_around(gas.next[next->partner].cell);
     }
@@ -50,11 +49,11 @@ class Prefetch {
     cells.heads_around(cell, near_);
     fetch_found(gas);
   }
-  void fetch_ahead(const Gas<D>& gas, const Cells<D>& cells, const Flight& flight, std::uint32_t particle,
-                   const Next& next) {
-    const Exit exit = first_exit(cells, flight, gas.bodies[particle], next.cell, next.time);
+  void fetch_ahead(const Gas<D>& gas, const Cells<D>& cells, const Next& next) {
+    const int axis = Exit::axis_of(next.exit);
+    const bool up = Exit::up_of(next.exit);
     double shift = 0;
-    cells.heads_ahead(cells.step(next.cell, exit.axis, exit.up, shift), exit.axis, exit.up, near_);
+    cells.heads_ahead(cells.step(next.cell, axis, up, shift), axis, up, near_);
     fetch_found(gas);
   }
 

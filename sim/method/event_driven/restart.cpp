@@ -48,6 +48,8 @@ void for_each_column(Visit visit) {
       "event-driven/partner-changes", [](auto& n) -> auto& { return n.partner_changes; });
   visit.next(
       "event-driven/cell", [](auto& n) -> auto& { return n.cell; });
+  visit.next(
+      "event-driven/exit", [](auto& n) -> auto& { return n.exit; });
 }
 
 template <int D>

@@ -3,24 +3,18 @@
 namespace sandglass::event_driven {
 
 template <int D>
-bool CollisionRule<D>::guards(Gas<D>& gas, std::uint32_t first, std::uint32_t second, double now) const {
-  if (gas.last_contact.empty()) return false;
-  const double last = std::max(gas.last_contact[first], gas.last_contact[second]);
-  gas.last_contact[first] = gas.last_contact[second] = now;
-  return now - last < parameters_.contact_time && !parameters_.faults.guard_dropped;
-}
-
-template <int D>
 Impact<D> CollisionRule<D>::apply_general(Gas<D>& gas, std::uint32_t first, std::uint32_t second,
                                           const Vector<D>& normal, double approach, double now,
                                           std::uint64_t& guarded) const {
   const std::size_t kind_1 = gas.kind(first), kind_2 = gas.kind(second);
   const SpeciesTraits &traits_1 = parameters_.species[kind_1], &traits_2 = parameters_.species[kind_2];
   Surface surface = parameters_.surface(kind_1, kind_2);
-  if (guards(gas, first, second, now)) {
+  if (guards(gas, first, now) || guards(gas, second, now)) {
     surface.normal = {1, 0};
     ++guarded;
   }
+  remember(gas, first, now);
+  remember(gas, second, now);
   Vector<D>& velocity_1 = gas.bodies[first].velocity;
   Vector<D>& velocity_2 = gas.bodies[second].velocity;
   Spin<D> rest_1 = Spin<D>::Zero(), rest_2 = Spin<D>::Zero();

@@ -3,6 +3,9 @@
 #include "sim/method/event_driven/gas.hpp"
 #include "sim/physics/contact.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace sandglass::event_driven {
 
 /// What a collision did.
@@ -11,6 +14,26 @@ struct Impact {
   Vector<D> impulse;  ///< on the first partner
   double approach;    ///< speed along the normal before
 };
+
+/// Rounding must not leave a pair that has collided on its way into each other: it would collide again at once, with
+/// kicks too small to change anything. A push by the last digits.
+template <int D>
+void part(const Vector<D>& normal, Vector<D>& velocity_1, Vector<D>& velocity_2) {
+  const auto stays = [&] {
+    const Vector<D> relative = velocity_1 - velocity_2;
+    const double leaving = relative.dot(normal);
+    return leaving < 0 || leaving * leaving < 1e-30 * relative.squaredNorm();
+  };
+  if (!stays()) [[likely]]
+    return;
+  double push = std::max(std::numeric_limits<double>::epsilon() * (velocity_1.norm() + velocity_2.norm()),
+                         std::numeric_limits<double>::min());
+  do {
+    velocity_1 += push * normal;
+    velocity_2 -= push * normal;
+    push *= 2;
+  } while (stays());
+}
 
 /// The collision rule of the scene, on the columns of the gas.
 template <int D>
@@ -30,17 +53,25 @@ class CollisionRule {
     Vector<D>& velocity_2 = gas.bodies[second].velocity;
     const double approach = (velocity_2 - velocity_1).dot(normal);
     if (!simple_) return apply_general(gas, first, second, normal, approach, now, guarded);
-    const Vector<D> kick = half_kick_ * approach * normal;
+    const Vector<D> kick = half_kick_ * std::max(approach, 0.0) * normal;
     velocity_1 += kick;
     velocity_2 -= (1 - parameters_.faults.momentum_leak) * kick;
     return {parameters_.species.front().mass * kick, approach};
   }
 
+  /// Whether the TC model makes the next contact of a particle elastic (Luding & McNamara 1998), with whatever it is.
+  bool guards(const Gas<D>& gas, std::uint32_t particle, double now) const {
+    return !gas.last_contact.empty() && now - gas.last_contact[particle] < parameters_.contact_time &&
+           !parameters_.faults.guard_dropped;
+  }
+  /// Notes a contact for the TC model.
+  void remember(Gas<D>& gas, std::uint32_t particle, double now) const {
+    if (!gas.last_contact.empty()) gas.last_contact[particle] = now;
+  }
+
  private:
   Impact<D> apply_general(Gas<D>& gas, std::uint32_t first, std::uint32_t second, const Vector<D>& normal,
                           double approach, double now, std::uint64_t& guarded) const;
-  /// Whether the TC model makes the collision elastic (Luding & McNamara 1998).
-  bool guards(Gas<D>& gas, std::uint32_t first, std::uint32_t second, double now) const;
 
   Parameters<D> parameters_;
   bool simple_;

@@ -70,7 +70,9 @@ class ContactSearch {
     for (std::uint32_t k = 0; k < count; ++k) {
       double along = 0, square = 0, speed = 0;
       for (int axis = 0; axis < D; ++axis) {
-        const double x = r[axis][k] - box_[axis] * std::rint(r[axis][k] * per_box_[axis]);
+        // Of two images half a box away the one that comes nearer.
+        const double lean = std::copysign(1e-9, u[axis][k]);
+        const double x = r[axis][k] - box_[axis] * std::rint(r[axis][k] * per_box_[axis] + lean);
         along += x * u[axis][k];
         square += x * x;
         speed += u[axis][k] * u[axis][k];

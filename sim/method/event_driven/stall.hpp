@@ -2,6 +2,8 @@
 
 #include "sim/base/error.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace sandglass::event_driven {
@@ -10,12 +12,14 @@ namespace sandglass::event_driven {
 /// Simultaneous contacts of a lattice or a row of touching particles are not soft and pass.
 class StallMonitor {
  public:
-  /// Speed below which a contact is soft: the scale of the gas times 1e-9.
-  void set_scale(double speed) { soft_ = 1e-9 * speed; }
+  /// A contact is soft below 1e-9 times the speed of the gas, and two are at one instant within 1e-12 times the time over
+  /// which clocks run, where rounding decides. A gas that begins at rest takes its speed from its contacts.
+  void set_scale(double speed, double time) { soft_ = 1e-9 * speed, instant_ = 1e-12 * time; }
   /// True when the contact is one too many. `now` in any unit that grows.
   bool contact(double now, double approach) {
-    if (now > last_ || approach > soft_) {
+    if (now - last_ > instant_ || approach > soft_) {
       last_ = now;
+      soft_ = std::max(soft_, 1e-9 * approach);
       soft_contacts_ = 0;
       return false;
     }
@@ -26,7 +30,7 @@ class StallMonitor {
 
  private:
   static constexpr std::uint32_t kMost = 64;
-  double soft_ = 0, last_ = -1;
+  double soft_ = 0, instant_ = 0, last_ = -HUGE_VAL;
   std::uint32_t soft_contacts_ = 0;
 };
 

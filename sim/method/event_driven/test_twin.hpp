@@ -90,7 +90,9 @@ class AllPairs {
       for (int axis = 0; axis < D; ++axis)
         allowed &= shift[axis] == 0 || parameters_.geometry.periodic[static_cast<std::size_t>(axis)];
       if (!allowed) continue;
-      const double time = meeting(a.position - b.position - shift, a.velocity - b.velocity, reach);
+      const Vector<D> r = a.position - b.position - shift, u = a.velocity - b.velocity;
+      if (r.norm() > reach + next.time * u.norm() + 1e-9) continue;  // too far to be the first
+      const double time = meeting(r, u, reach);
       if (time < next.time) next = {time, i, j};
     }
   }

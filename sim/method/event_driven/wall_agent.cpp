@@ -20,8 +20,10 @@ bool WallAgent<D>::reaches(const Vector<D>& low, const Vector<D>& high) const {
 
 template <int D>
 double WallAgent<D>::delay(const Guest<D>& guest, double now) const {
-  const Arc arc{inward_ * (guest.position[place_.axis] - place_.edge) - guest.radius,
-                inward_ * guest.velocity[place_.axis], gravity_};
+  const double x = guest.position[place_.axis], height = inward_ * (x - place_.edge) - guest.radius;
+  // A ball that bounces ever lower would take the last digits of its place for a height to fall from.
+  const double rounding = 4e-16 * (std::fabs(x) + std::fabs(place_.edge) + guest.radius);
+  const Arc arc{std::fabs(height) <= rounding ? 0 : height, inward_ * guest.velocity[place_.axis], gravity_};
   return motion_.speed == 0 && !motion_.vibrates() ? time_to_fall(arc)
                                                    : time_to_plane(arc, motion_.from(now));
 }
@@ -31,7 +33,9 @@ bool WallAgent<D>::act(Guest<D>& guest, double now, Random& random) {
   const Vector<D> normal = inward_ * Vector<D>::Unit(place_.axis);
   Vector<D> surface = place_.velocity;
   surface[place_.axis] = inward_ * motion_.velocity_at(now);
-  reflect<D>(rule_, normal, surface, guest.mass, guest.radius, guest.inertia, guest.velocity, guest.spin,
+  WallRule rule = rule_;
+  if (guest.guarded) rule.surface.normal = {1, 0};
+  reflect<D>(rule, normal, surface, guest.mass, guest.radius, guest.inertia, guest.velocity, guest.spin,
              random);
   return true;
 }
