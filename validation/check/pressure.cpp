@@ -2,6 +2,8 @@
 #include "validation/law/state.hpp"
 #include "validation/law/virial.hpp"
 
+#include <limits>
+
 namespace sandglass {
 
 namespace {
@@ -56,6 +58,8 @@ Evidence kinetic_pressure(const Subject& subject, const law::Arguments&) {
   const double expected = law::kinetic_pressure(subject.gas(subject.scene().initial.temperature));
   Evidence evidence = from_mean(pooled(samples), expected);
   evidence.units = "mass length^(2-D) time^-2";
+  evidence.budget.systematic = std::numeric_limits<double>::epsilon() * subject.particles() * expected;
+  evidence.budget.reason = "rounding of a sum over particles";
   return evidence;
 }
 
