@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace sandglass::event_driven {
 
@@ -55,6 +56,10 @@ class Agent {
   /// Time of the next event of its own; infinity for none.
   virtual double next() const { return HUGE_VAL; }
   virtual void act(Gathering<D>& gathering, double now) { (void)gathering, (void)now; }
+
+  /// What a restart needs, in as few numbers as it takes; and back.
+  virtual std::vector<double> save() const { return {}; }
+  virtual void load(const std::vector<double>&) {}
 };
 
 }  // namespace sandglass::event_driven

@@ -295,43 +295,25 @@ void Engine<D, F, M>::tell(std::uint32_t i, std::uint32_t j, const Vector<D>& no
 
 template <int D, class F, bool M>
 void Engine<D, F, M>::refuse_collapse(std::uint32_t i, std::uint32_t j) const {
-  std::string place;
-  for (int axis = 0; axis < D; ++axis)
-    place += fmt::format("{}{:.6g}", axis > 0 ? ", " : "", gas_.bodies[i].position[axis]);
-  const std::string pair = i == j ? fmt::format("particle {} and a wall", name(i))
-                                  : fmt::format("particles {} and {}", name(i), name(j));
-  throw RunError(fmt::format(
-      "inelastic collapse at time {:.12g}, place ({}), {}: infinitely many collisions in a finite "
-      "time; set method.collapse-guard to \"contact-time\" or \"velocity-dependent\"",
-      clock(), place, pair));
+  const auto who = [this](std::uint32_t particle) {
+    std::string place;
+    for (const double x : guest(particle).position)
+      place += fmt::format("{}{:.6g}", place.empty() ? "" : ", ", x);
+    return gas_.ids.empty() ? fmt::format("a particle at ({})", place)
+                            : fmt::format("particle {} at ({})", gas_.ids[particle], place);
+  };
+  throw RunError(collapse_message(clock(), who(i), i == j ? "a wall or obstacle" : who(j), F::falls));
 }
 
 template <int D, class F, bool M>
 View<D> Engine<D, F, M>::view() {
-  if (seen_ != clock()) {
-    seen_ = clock();
-    phases_.resize(gas_.size());
-    for (std::uint32_t i = 0; i < gas_.size(); ++i) {
-      const Guest<D> present = guest(i);
-      phases_[i] = {present.position, present.velocity};
-      for (int axis = 0; axis < D; ++axis) {
-        const double length = parameters_.geometry.box[axis];
-        if (parameters_.geometry.periodic[static_cast<std::size_t>(axis)])
-          phases_[i].position[axis] = wrap(present.position[axis], length, 1 / length);
-      }
-    }
-  }
-  constexpr std::uint32_t block = 1024;
-  blocks_.clear();
-  for (std::uint32_t i = 0; i < gas_.size(); i += block) blocks_.push_back(i);
-  blocks_.push_back(gas_.size());
-  View<D> view;
-  view.particles = phases_;
-  view.offsets = blocks_;
+  if (seen_ != clock())
+    present_.take(size(), parameters_.geometry, [this](std::uint32_t i) { return guest(i); });
+  seen_ = clock();
+  View<D> view = present_.view();
   view.spins = gas_.spins;
   view.species = gas_.species;
   view.traits = parameters_.species;
-  view.box = parameters_.geometry.box;
   view.mass = parameters_.species.front().mass;
   view.tally = &tally_;
   view.planes = parameters_.planes;
@@ -342,6 +324,8 @@ template <int D, class F, bool M>
 std::map<std::string, std::vector<double>> Engine<D, F, M>::save() const {
   Memory memory;
   save_gas(gas_, memory);
+  for (std::size_t a = 0; a < agents_.size(); ++a)
+    memory[fmt::format("event-driven/agent-{}", a)] = agents_[a]->save();
   memory["event-driven/clock"] = {now_, origin_, era_.width, static_cast<double>(era_.buckets),
                                   static_cast<double>(drawn_)};
   return memory;
@@ -350,6 +334,8 @@ std::map<std::string, std::vector<double>> Engine<D, F, M>::save() const {
 template <int D, class F, bool M>
 void Engine<D, F, M>::load(const std::map<std::string, std::vector<double>>& state) {
   load_gas(state, gas_);
+  for (std::size_t a = 0; a < agents_.size(); ++a)
+    agents_[a]->load(state.at(fmt::format("event-driven/agent-{}", a)));
   const std::vector<double>& clock = state.at("event-driven/clock");
   now_ = clock.at(0);
   origin_ = clock.at(1);
@@ -362,8 +348,7 @@ void Engine<D, F, M>::load(const std::map<std::string, std::vector<double>>& sta
 
 template <int D, class F, bool M>
 std::size_t Engine<D, F, M>::bytes() const {
-  return gas_.bytes() + cells_.bytes() + calendar_.bytes() + watched_.capacity() +
-         phases_.capacity() * sizeof(Phase<D>) + blocks_.capacity() * sizeof(std::uint32_t);
+  return gas_.bytes() + cells_.bytes() + calendar_.bytes() + watched_.capacity() + present_.bytes();
 }
 
 namespace {

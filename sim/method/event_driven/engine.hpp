@@ -4,6 +4,7 @@
 #include "sim/method/event_driven/era.hpp"
 #include "sim/method/event_driven/event_driven.hpp"
 #include "sim/method/event_driven/prefetch.hpp"
+#include "sim/method/event_driven/present.hpp"
 #include "sim/method/event_driven/rule.hpp"
 #include "sim/method/event_driven/search.hpp"
 #include "sim/method/event_driven/stall.hpp"
@@ -82,8 +83,7 @@ class Engine final : public Simulator<D>, private Gathering<D> {
   double transfer_ = 0;
   std::uint64_t drawn_ = 0;  ///< random streams used by agents
 
-  std::vector<Phase<D>> phases_;  ///< of the last view
-  std::vector<std::uint32_t> blocks_;
+  Present<D> present_;
   double seen_ = -1;  ///< time of the last view
 };
 

@@ -16,6 +16,7 @@ struct Faults {
   bool stale_partner = false;   ///< a predicted contact is carried out whatever its partner did meanwhile
   bool blind_crossing = false;  ///< who enters a cell does not look ahead
   bool guard_dropped = false;   ///< no collapse guard
+  double wall_restitution = 1;  ///< factor on the normal restitution of walls and obstacles
 };
 
 template <int D>

@@ -34,6 +34,8 @@ class TimerAgent final : public Agent<D> {
     ++count_;
     action_(gathering, now);
   }
+  std::vector<double> save() const override { return {static_cast<double>(count_)}; }
+  void load(const std::vector<double>& state) override { count_ = static_cast<std::uint64_t>(state.at(0)); }
 
  private:
   double first_, interval_;

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "sim/base/error.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 namespace sandglass::event_driven {
 
@@ -33,5 +32,8 @@ class StallMonitor {
   double soft_ = 0, instant_ = 0, last_ = -HUGE_VAL;
   std::uint32_t soft_contacts_ = 0;
 };
+
+/// What a run says that collapsed; `first` and `second` name the pair.
+std::string collapse_message(double time, const std::string& first, const std::string& second, bool falling);
 
 }  // namespace sandglass::event_driven
