@@ -12,5 +12,6 @@ std::vector<Law> guarded_laws();      ///< cooling under the TC model
 std::vector<Law> velocity_laws();     ///< moments of the velocity distribution
 std::vector<Law> flux_laws();         ///< velocities of particles that cross a plane
 std::vector<Law> transport_laws();    ///< viscosities
+std::vector<Law> few_body_laws();     ///< a ball on a floor, balls in a row
 
 }  // namespace sandglass::law

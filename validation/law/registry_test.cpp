@@ -46,7 +46,9 @@ Arguments ordinary_arguments(const Law& law, int dimension) {
   for (const Parameter& parameter : law.parameters) {
     if (parameter.dimension != 0 && parameter.dimension != dimension) continue;
     const bool bounded = parameter.high <= 8;
-    arguments[parameter.name] = bounded ? (parameter.low + parameter.high) / 2 : 0.5;
+    arguments[parameter.name] = bounded              ? (parameter.low + parameter.high) / 2
+                                : parameter.step > 0 ? parameter.low + parameter.step
+                                                     : 0.5;
     if (parameter.name == "dimension") arguments[parameter.name] = dimension;
   }
   return arguments;
