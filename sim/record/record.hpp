@@ -20,13 +20,14 @@ struct Provenance {
 };
 
 /// Positions and velocities at one instant: position[particle][axis], row major. `id` is empty unless the
-/// scene keeps ids.
+/// scene keeps ids, `spin` unless contacts are rough: angular velocities, one a disk and three a sphere.
 struct Frame {
   std::uint64_t step = 0;
   double time = 0;
   std::vector<double> position;
   std::vector<double> velocity;
   std::vector<std::uint64_t> id;
+  std::vector<double> spin = {};
 };
 
 /// All samples of one replica, in the order of the scene's observers.

@@ -1,5 +1,6 @@
 #include "sim/record/record.hpp"
 
+#include "sim/base/error.hpp"
 #include "sim/record/sample.hpp"
 #include "sim/record/scratch.hpp"
 
@@ -46,6 +47,7 @@ void expect_same(const Frame& one, const Frame& other) {
   expect_same_bits(one.position, other.position);
   expect_same_bits(one.velocity, other.velocity);
   expect_same_bits(one.id, other.id);
+  expect_same_bits(one.spin, other.spin);
 }
 
 void expect_same(const State& one, const State& other) {
@@ -118,6 +120,19 @@ TEST(Record, ComesBackWhenNearlyEmpty) {
   expect_round_trip(record);
   record.replicas.push_back({9, {sample_series({"temperature", "1", "", {}, {}, {}, ""}, 0)}, {}});
   expect_round_trip(record);
+}
+
+TEST(Record, HoldsSpinsOfDisksAndSpheres) {
+  for (const std::size_t components : {1u, 3u}) {
+    Record record = sample_record();
+    for (Frame& frame : record.trajectory)
+      for (std::size_t i = 0; i < components * frame.id.size(); ++i)
+        frame.spin.push_back(0.1 * static_cast<double>(i) - 0.3);
+    expect_round_trip(record);
+    record.trajectory.back().spin.pop_back();
+    const ScratchFolder folder;
+    EXPECT_THROW(write_record(folder / "run.h5", record), RunError);
+  }
 }
 
 TEST(Record, HoldsAxesAndSeriesLargerThanAnAttributeOrAChunk) {

@@ -114,6 +114,8 @@ Frame ReplicaRun<D>::frame() {
     frame.position.insert(frame.position.end(), particle.position.data(), particle.position.data() + D);
     frame.velocity.insert(frame.velocity.end(), particle.velocity.data(), particle.velocity.data() + D);
   }
+  for (const Spin<D>& spin : now.spins)
+    frame.spin.insert(frame.spin.end(), spin.data(), spin.data() + spin.size());
   return frame;
 }
 
@@ -138,6 +140,7 @@ template <int D>
 State ReplicaRun<D>::save() {
   if (trace_) trace_->flush();
   State state{clock_.step, clock_.time, frame(), {}, counters(), simulator_->save()};
+  state.particles.spin.clear();  // the method's memory holds them
   state.memory["impact"] = {simulator_->tally().impact.begin(), simulator_->tally().impact.end()};
   state.memory["transfer"] = simulator_->tally().transfer.save();
   state.memory["time-step"] = stepper_.save();

@@ -23,6 +23,7 @@ std::vector<Frame> frames_in_space(const Record& record) {
   for (Frame& frame : frames) {
     frame.position = in_space(frame.position, record.dimension);
     frame.velocity = in_space(frame.velocity, record.dimension);
+    frame.spin.clear();  // MDAnalysis has no place for it
   }
   return frames;
 }

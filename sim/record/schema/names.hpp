@@ -11,7 +11,7 @@ namespace sandglass::schema {
 /// Of the /sandglass group. A greater minor adds names that older readers may ignore; a greater major breaks
 /// them.
 inline constexpr int version_major = 1;
-inline constexpr int version_minor = 0;
+inline constexpr int version_minor = 1;
 /// Of the H5MD convention, https://www.nongnu.org/h5md/h5md.html
 inline constexpr int h5md_major = 1;
 inline constexpr int h5md_minor = 1;
@@ -48,6 +48,7 @@ inline constexpr const char* box = "box";
 inline constexpr const char* position = "position";
 inline constexpr const char* velocity = "velocity";
 inline constexpr const char* id = "id";
+inline constexpr const char* spin = "spin";
 inline constexpr const char* count = "count";
 inline constexpr const char* observables = "observables";
 inline constexpr const char* parameters = "parameters";

@@ -31,6 +31,18 @@ std::vector<T> cut(const std::vector<T>& all, std::size_t frame, std::size_t row
   return std::vector<T>(begin, begin + static_cast<std::ptrdiff_t>(count));
 }
 
+/// Components of an angular velocity: one for disks, three for spheres; 0 when no frame holds spins.
+std::size_t spin_width(std::span<const Frame> frames, std::size_t width) {
+  std::size_t components = 0;
+  for (const Frame& frame : frames)
+    if (const std::size_t count = particles_in(frame, width); count > 0 && components == 0)
+      components = frame.spin.size() / count;
+  for (const Frame& frame : frames)
+    if (frame.spin.size() != components * particles_in(frame, width))
+      throw hdf5::Failure("a frame holds different numbers of positions and spins");
+  return components;
+}
+
 /// H5MD lets elements that are sampled together share their clock.
 void link_clock(const hdf5::Writer& element, const hdf5::Writer& source) {
   element.link(names::time, source, names::time);
@@ -98,6 +110,12 @@ void write_trajectory(const hdf5::Writer& group, std::span<const Frame> frames, 
   velocities.numbers<double>(names::value, extents,
                              stacked(frames, &Frame::velocity, most * width, no_value));
   link_clock(velocities, positions);
+  if (const std::size_t components = spin_width(frames, width); components > 0) {
+    const hdf5::Writer spins = group.group(names::spin);
+    spins.numbers<double>(names::value, {frames.size(), most, components},
+                          stacked(frames, &Frame::spin, most * components, no_value));
+    link_clock(spins, positions);
+  }
   if (frames.front().id.empty()) return;
   const hdf5::Writer ids = group.group(names::id);
   ids.numbers<std::uint64_t>(names::value, {frames.size(), most}, stacked(frames, &Frame::id, most, no_id));
@@ -117,6 +135,15 @@ std::vector<Frame> read_trajectory(const hdf5::Reader& group, int dimension) {
   std::vector<std::uint64_t> ids;
   if (group.has(names::id))
     ids = group.group(names::id).numbers<std::uint64_t>(names::value, {counts.size(), most});
+  std::vector<double> spins;
+  std::size_t components = 0;
+  if (group.has(names::spin)) {
+    auto stored = group.group(names::spin).numbers<double>(names::value);
+    if (stored.extents.size() != 3 || stored.extents[0] != counts.size() || stored.extents[1] != most)
+      group.fail(names::spin, "does not hold one spin per particle and frame");
+    components = stored.extents[2];
+    spins = std::move(stored.values);
+  }
 
   std::vector<Frame> frames;
   for (std::size_t frame = 0; frame < counts.size(); ++frame) {
@@ -127,6 +154,7 @@ std::vector<Frame> read_trajectory(const hdf5::Reader& group, int dimension) {
                       cut(velocities, frame, most * width, size),
                       {}});
     if (!ids.empty()) frames.back().id = cut(ids, frame, most, counts[frame]);
+    if (components > 0) frames.back().spin = cut(spins, frame, most * components, counts[frame] * components);
   }
   return frames;
 }
