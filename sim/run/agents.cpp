@@ -36,11 +36,12 @@ WallKind kind_of(SurfaceKind kind) {
 }
 
 /// The velocity-dependent guard holds at walls as well: a ball on the floor collapses as a row of particles does.
-WallRule rule_of(const Scene& scene, const SurfaceRule& surface) {
+WallRule rule_of(const Scene& scene, const SurfaceRule& surface, const Faults& faults) {
   WallRule rule;
   rule.kind = kind_of(surface.rule);
-  rule.surface = {
-      {surface.restitution, 0}, surface.tangential_restitution, surface.friction.value_or(kSticks)};
+  rule.surface = {{std::min(1.0, faults.wall_restitution * surface.restitution), 0},
+                  surface.tangential_restitution,
+                  surface.friction.value_or(kSticks)};
   if (scene.method.guard == CollapseGuard::velocity_dependent)
     rule.surface.normal.reference_speed = scene.method.reference_speed;
   rule.probability = surface.probability;
@@ -74,7 +75,7 @@ std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const 
                            wall.amplitude,
                            wall.frequency,
                            hard.largest_diameter() / 2};
-  return std::make_unique<WallAgent<D>>(place, rule_of(scene, wall.surface), hard.gravity);
+  return std::make_unique<WallAgent<D>>(place, rule_of(scene, wall.surface, hard.faults), hard.gravity);
 }
 
 }  // namespace
@@ -110,9 +111,9 @@ Agents<D> make_agents(const Scene& scene, const Setup<D>& setup, std::vector<Pla
       for (const bool high : {false, true})
         agents.push_back(make_wall<D>(scene, wall_of(scene, axis, high), setup.hard));
   for (const Obstacle& obstacle : scene.obstacles)
-    agents.push_back(std::make_unique<ObstacleAgent<D>>(vector_of<D>(obstacle.centre), obstacle.radius,
-                                                        rule_of(scene, obstacle.surface), setup.hard.gravity,
-                                                        setup.hard.largest_diameter() / 2));
+    agents.push_back(std::make_unique<ObstacleAgent<D>>(
+        vector_of<D>(obstacle.centre), obstacle.radius, rule_of(scene, obstacle.surface, setup.hard.faults),
+        setup.hard.gravity, setup.hard.largest_diameter() / 2));
   if (planes != nullptr)
     for (Plane& plane : *planes)
       agents.push_back(std::make_unique<PlaneAgent<D>>(&plane, setup.hard.gravity));

@@ -115,6 +115,9 @@ duration = { time = 4.0 }
 dimension = 2
 size = [20.0, 20.0]
 sides.y = "specular"
+[[wall]]
+side = "y-low"
+restitution = 0.9
 [[species]]
 area-fraction = 0.4
 restitution = 0.8
