@@ -16,7 +16,8 @@ std::vector<CheckInfo> join_families() {
   std::vector<CheckInfo> all;
   for (const auto& family :
        {collision_checks, pressure_checks, contact_checks, structure_checks, conservation_checks,
-        moment_checks, distribution_checks, cooling_checks, guarded_checks, flux_checks, shear_checks})
+        moment_checks, distribution_checks, cooling_checks, guarded_checks, flux_checks, shear_checks,
+        few_body_checks, row_checks, bounce_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }
@@ -117,13 +118,14 @@ bool is_uniform(const Scene& scene) {
 }
 
 bool is_equilibrium(const Scene& scene) {
-  return is_uniform(scene) && scene.species.front().restitution == 1 && !scene.initial.shear_wave &&
-         scene.method.preset != "reservoir";
+  return is_uniform(scene) && scene.given.empty() && scene.species.front().restitution == 1 &&
+         !scene.initial.shear_wave && scene.method.preset != "reservoir";
 }
 
 bool is_cooling(const Scene& scene) {
-  return is_uniform(scene) && scene.species.front().restitution < 1 && !scene.initial.shear_wave &&
-         scene.method.preset != "reservoir" && scene.method.guard == CollapseGuard::none;
+  return is_uniform(scene) && scene.given.empty() && scene.species.front().restitution < 1 &&
+         !scene.initial.shear_wave && scene.method.preset != "reservoir" &&
+         scene.method.guard == CollapseGuard::none;
 }
 
 bool is_guarded(const Scene& scene) {

@@ -19,13 +19,18 @@ std::vector<CheckInfo> cooling_checks();
 std::vector<CheckInfo> guarded_checks();
 std::vector<CheckInfo> flux_checks();
 std::vector<CheckInfo> shear_checks();
+std::vector<CheckInfo> few_body_checks();
+std::vector<CheckInfo> row_checks();
+std::vector<CheckInfo> bounce_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);
-/// is_uniform, elastic and without a shear wave: stationary from time zero.
+/// is_uniform, elastic, drawn from a Maxwellian and without a shear wave: stationary from time zero.
 bool is_equilibrium(const Scene& scene);
-/// is_uniform and dissipative, every collision at the species' restitution.
+/// is_uniform, drawn from a Maxwellian and dissipative, every collision at the species' restitution.
 bool is_cooling(const Scene& scene);
+/// A handful of given particles without walls, forces or guard.
+bool is_few_bodies(const Scene& scene);
 /// Cooling under the TC model.
 bool is_guarded(const Scene& scene);
 

@@ -17,6 +17,7 @@ class Subject {
   /// Throws InputError when the record's scene cannot be read or holds no finished replica.
   explicit Subject(const Record& record);
 
+  const Record& record() const { return *record_; }
   const Scene& scene() const { return scene_; }
   std::size_t replicas() const { return record_->replicas.size(); }
   int dimension() const { return scene_.domain.dimension; }
