@@ -16,6 +16,7 @@ std::vector<CheckInfo> conservation_checks();
 std::vector<CheckInfo> moment_checks();
 std::vector<CheckInfo> distribution_checks();
 std::vector<CheckInfo> cooling_checks();
+std::vector<CheckInfo> clustering_checks();
 std::vector<CheckInfo> guarded_checks();
 std::vector<CheckInfo> flux_checks();
 std::vector<CheckInfo> shear_checks();
