@@ -5,6 +5,7 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import partial
 
+from analysis import comparison
 from analysis.equations import draw_equation
 from analysis.exports import write_csv, write_junit
 from analysis.figures import draw_evidence
@@ -23,9 +24,10 @@ class Pictures:
     equation: dict = field(default_factory=dict)    # tex -> name, only those that could be drawn
     knob: dict = field(default_factory=dict)        # index of the sweep -> name
     cost: dict = field(default_factory=dict)        # (case, quantity) -> name
+    comparison: dict = field(default_factory=dict)  # case -> [comparison.Comparison]
 
 
-def _plan(report, figures):
+def _plan(report, folder, figures):
     """(names of pictures, jobs that draw them)."""
     pictures, jobs = Pictures(), [partial(draw_matrix, report.verdicts, figures / "matrix")]
     for case in report.cases:
@@ -34,6 +36,8 @@ def _plan(report, figures):
             pictures.evidence[item.verdict.key] = names
             jobs += [partial(draw_evidence, figure, item.verdict, figures / name)
                      for figure, name in zip(item.figures, names)]
+        pictures.comparison[case.name], more = comparison.plan(case, folder, figures)
+        jobs += more
     for key, group in quantities(report.sweeps).items():
         pictures.cost[key] = "cost." + slug(*key)
         jobs.append(partial(draw_cost, [sweep for _, sweep in group], figures / pictures.cost[key]))
@@ -57,7 +61,7 @@ def _draw_equations(report, pictures, figures):
 def build(report, folder):
     """Fills the folder; returns the path of its front page."""
     figures = folder / "figures"
-    pictures, jobs = _plan(report, figures)
+    pictures, jobs = _plan(report, folder, figures)
     with ProcessPoolExecutor(min(len(os.sched_getaffinity(0)), 8)) as pool:
         list(pool.map(_run, jobs, chunksize=4))
     _draw_equations(report, pictures, figures)
