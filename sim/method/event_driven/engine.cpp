@@ -52,6 +52,7 @@ void Engine<D, F, M>::assign(const Particles<D>& particles) {
   fill_cells();
   for (std::uint32_t i = 0; i < gas_.size(); ++i) note(i, first_contact(i));
   era_ = plan_era(gas_);
+  events_ = 0;
   fill_calendar();
 }
 
@@ -64,6 +65,7 @@ void Engine<D, F, M>::begin_era() {
   gas_.reorder(order_by_cell(gas_, cells_));
   fill_cells();
   era_ = plan_era(gas_);
+  events_ = 0;
   fill_calendar();
 }
 
@@ -113,9 +115,10 @@ void Engine<D, F, M>::run_until(double duration) {
   double end = now_ + duration;
   for (;;) {
     const EventCalendar::Entry* entry = calendar_.front();
-    if (entry == nullptr) {
-      if (!(era_.end() <= end)) break;
-      now_ = era_.end();
+    const bool crowded = events_ >= era_.most_events;
+    if (entry == nullptr || crowded) {
+      if (!crowded && !(era_.end() <= end)) break;
+      if (!crowded) now_ = era_.end();
       end -= now_;
       begin_era();
       continue;
@@ -126,6 +129,7 @@ void Engine<D, F, M>::run_until(double duration) {
     if (prefetches_) prefetch_(gas_, cells_, calendar_);
     if (gas_.next[event.owner].time != event.time) continue;
     now_ = event.time;
+    ++events_;
     handle(event.owner);
   }
   now_ = end;
@@ -326,8 +330,13 @@ std::map<std::string, std::vector<double>> Engine<D, F, M>::save() const {
   save_gas(gas_, memory);
   for (std::size_t a = 0; a < agents_.size(); ++a)
     memory[fmt::format("event-driven/agent-{}", a)] = agents_[a]->save();
-  memory["event-driven/clock"] = {now_, origin_, era_.width, static_cast<double>(era_.buckets),
-                                  static_cast<double>(drawn_)};
+  memory["event-driven/clock"] = {now_,
+                                  origin_,
+                                  era_.width,
+                                  static_cast<double>(era_.buckets),
+                                  static_cast<double>(drawn_),
+                                  static_cast<double>(events_),
+                                  static_cast<double>(era_.most_events)};
   return memory;
 }
 
@@ -339,7 +348,8 @@ void Engine<D, F, M>::load(const std::map<std::string, std::vector<double>>& sta
   const std::vector<double>& clock = state.at("event-driven/clock");
   now_ = clock.at(0);
   origin_ = clock.at(1);
-  era_ = {clock.at(2), static_cast<std::size_t>(clock.at(3))};
+  era_ = {clock.at(2), static_cast<std::size_t>(clock.at(3)), static_cast<std::uint64_t>(clock.at(6))};
+  events_ = static_cast<std::uint64_t>(clock.at(5));
   drawn_ = static_cast<std::uint64_t>(clock.at(4));
   seen_ = -1;
   fill_cells();

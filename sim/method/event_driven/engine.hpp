@@ -81,7 +81,8 @@ class Engine final : public Simulator<D>, private Gathering<D> {
   double now_ = 0;     ///< since the origin
   double origin_ = 0;  ///< beginning of the era, in the time of the run
   double transfer_ = 0;
-  std::uint64_t drawn_ = 0;  ///< random streams used by agents
+  std::uint64_t events_ = 0;  ///< of this era
+  std::uint64_t drawn_ = 0;   ///< random streams used by agents
 
   Present<D> present_;
   double seen_ = -1;  ///< time of the last view

@@ -11,6 +11,7 @@ constexpr double kFewestPerBucket = 16, kMostPerBucket = 256;
 constexpr double kParticlesPerEntry =
     1000;  // with more particles fewer, fuller buckets: their ends stay in the cache
 constexpr double kFewestBuckets = 64;
+constexpr double kMostEventsPerEra = 100;
 constexpr double kInstant = 1e-300;
 }  // namespace
 
@@ -31,7 +32,8 @@ Era plan_era(const Gas<D>& gas) {
   const double count = static_cast<double>(delays.size());
   const double per_bucket = std::clamp(count / kParticlesPerEntry, kFewestPerBucket, kMostPerBucket);
   const double buckets = std::max(kFewestBuckets, std::ceil(kEventsPerEra * count / per_bucket));
-  return {kEventsPerEra * interval / buckets, static_cast<std::size_t>(buckets)};
+  return {kEventsPerEra * interval / buckets, static_cast<std::size_t>(buckets),
+          static_cast<std::uint64_t>(kMostEventsPerEra * (count + kFewestBuckets))};
 }
 
 template <int D>

@@ -10,6 +10,9 @@ namespace sandglass::event_driven {
 struct Era {
   double width = HUGE_VAL;
   std::size_t buckets = 1;
+  /// A cluster near collapse has most of the events to itself: the era ends after these, or what its events have left
+  /// behind in the calendar would grow without bound.
+  std::uint64_t most_events = std::uint64_t{1} << 53;
   double end() const { return width * static_cast<double>(buckets); }
 };
 
