@@ -73,7 +73,7 @@ def impact(early, late):
 
 def main(folder):
     early, late = ({method: load_record(Path(folder) / method / f"{point}.h5") for method in METHODS}
-                   for point in ("clustering", "late"))
+                   for point in ("source-size", "late"))
     write("energy", ["method", "t/t0", "E/E0", "standard_error", "runs"], energy(early, late))
     write("structure", ["method", "t/t0", "k L/2pi", "S", "standard_error", "runs"],
           sampled(early, late, "structure-factor", [0, 5, 10, 20, 50, 100], [200, 500, 1000], 60.5))
