@@ -23,6 +23,7 @@ class Picture:
     runs: int
     draw: Callable
     load: Callable = load_record
+    wide: bool = False
 
 
 def _styles(records):
@@ -146,12 +147,12 @@ FRAMES = "particles/all/position"
 PICTURES = [
     Picture("energy", "Energy of each method, mean of its replicas, and its ratio to Haff's law.",
             ("sandglass/series/energy",), 2, draw_energy),
-    Picture("frames", "Particles at equal times, first replica: disks or, for more than 30000 of them, the area "
-            "fraction (black: 0.8 and more).", (FRAMES,), 2, draw_frames, load_frames),
-    Picture("structure", "Structure factor of each method at equal times, mean of the replicas.",
-            ("sandglass/series/structure-factor",), 2, draw_structure),
-    Picture("pairs", "Pair correlation of each method at the start and at the end.",
-            ("sandglass/series/pair-correlation",), 2, draw_pairs),
     Picture("impact", "Impact parameter of the contacts of hard disks; flat if partners were independent.",
             ("sandglass/series/impact-parameter",), 1, draw_impact),
+    Picture("frames", "Particles at equal times, first replica: disks or, for more than 30000 of them, the area "
+            "fraction (black: 0.8 and more).", (FRAMES,), 2, draw_frames, load_frames, wide=True),
+    Picture("structure", "Structure factor of each method at equal times, mean of the replicas.",
+            ("sandglass/series/structure-factor",), 2, draw_structure, wide=True),
+    Picture("pairs", "Pair correlation of each method at the start and at the end.",
+            ("sandglass/series/pair-correlation",), 2, draw_pairs, wide=True),
 ]

@@ -16,6 +16,7 @@ class Comparison:
     name: str       # inside figures/, without ending
     caption: str
     point: str
+    wide: bool
 
 
 PICTURES = {"clustering": clustering_figures.PICTURES}   # case -> its pictures
@@ -37,16 +38,16 @@ def _can_show(path, needs):
 def plan(case, folder, figures):
     """(comparisons, jobs that draw them): one per picture and point that has what the picture needs.
 
-    A picture needs its data in the record of every run that it shows, and as many runs as it compares.
+    A point needs two kept records; a picture shows those that hold its data, if they are as many as it wants.
     """
     comparisons, jobs = [], []
     for point in dict.fromkeys(run.point for run in case.runs):
         kept = {run.variant: folder / run.record for run in case.runs
                 if run.point == point and run.record and (folder / run.record).is_file()}
-        for picture in PICTURES.get(case.name, []):
+        for picture in PICTURES.get(case.name, []) if len(kept) > 1 else []:
             paths = {variant: path for variant, path in kept.items() if _can_show(path, picture.needs)}
             if len(paths) >= picture.runs:
                 name = slug("compare", case.name, point, picture.name)
-                comparisons.append(Comparison(name, picture.caption, point))
+                comparisons.append(Comparison(name, picture.caption, point, picture.wide))
                 jobs.append(partial(_draw, picture, paths, figures / name))
     return comparisons, jobs

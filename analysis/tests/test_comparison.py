@@ -54,7 +54,7 @@ def case_of(folder, variants=("event-driven", "cba")):
 
 def test_every_picture_is_drawn(tmp_path):
     comparisons, jobs = comparison.plan(case_of(tmp_path), tmp_path, tmp_path / "figures")
-    assert [item.point for item in comparisons] == ["large"] * 5
+    assert [(item.point, item.wide) for item in comparisons] == [("large", False)] * 2 + [("large", True)] * 3
     for job in jobs:
         job()
     for item in comparisons:
@@ -64,14 +64,16 @@ def test_every_picture_is_drawn(tmp_path):
 
 def test_one_method_alone_is_compared_with_nothing(tmp_path):
     case = case_of(tmp_path, ("event-driven",))
-    names = [item.name for item in comparison.plan(case, tmp_path, tmp_path)[0]]
-    assert names == ["compare--clustering--large--impact"]
+    assert comparison.plan(case, tmp_path, tmp_path) == ([], [])
 
 
 def test_what_was_not_kept_is_left_out(tmp_path):
-    case = case_of(tmp_path)
+    case = case_of(tmp_path, ("event-driven", "cba", "dsmc"))
     (tmp_path / "records/cba.h5").unlink()
-    assert len(comparison.plan(case, tmp_path, tmp_path)[0]) == 1
+    assert len(comparison.plan(case, tmp_path, tmp_path)[0]) == 5
+    (tmp_path / "records/event-driven.h5").unlink()
+    assert comparison.plan(case, tmp_path, tmp_path) == ([], [])
+    case = case_of(tmp_path)
     other = SimpleNamespace(name="shear-wave", runs=case.runs)
     assert comparison.plan(other, tmp_path, tmp_path) == ([], [])
 
