@@ -21,10 +21,9 @@ class Candidates {
   std::uint32_t size = 0;
   std::uint32_t* data() { return list_.data(); }
   std::uint32_t operator[](std::uint32_t k) const { return list_[k]; }
-  /// Room for one more entry behind the last.
-  std::uint32_t* with_room() {
-    if (size == list_.size()) [[unlikely]]
-      list_.resize(2 * list_.size());
+  std::size_t room() const { return list_.size(); }
+  std::uint32_t* grow() {
+    list_.resize(2 * list_.size());
     return list_.data();
   }
 
@@ -154,11 +153,16 @@ class Cells {
 
   /// Appends those behind the first ones.
   void follow(const Body<D>* bodies, Candidates& found) const {
-    for (std::uint32_t k = 0; k < found.size; ++k) {
-      std::uint32_t* list = found.with_room();
-      list[found.size] = bodies[list[k]].below;
-      found.size += list[found.size] != kNobody;
+    std::uint32_t* list = found.data();
+    std::uint32_t size = found.size;
+    for (std::uint32_t k = 0; k < size; ++k) {
+      if (size == found.room()) [[unlikely]]
+        list = found.grow();
+      const std::uint32_t below = bodies[list[k]].below;
+      list[size] = below;
+      size += below != kNobody;
     }
+    found.size = size;
   }
 
   Geometry<D> geometry_;
