@@ -54,6 +54,16 @@ const std::vector<Plant>& plants() {
        [](P p, int) { p.restitution *= 0.98; },
        nothing,
        [](auto& p) { scale_restitution(p, 0.98); }},
+      {{"restitution-forgotten", "every collision elastic"},
+       [](P p, int) { p.restitution = 1; },
+       nothing,
+       [](auto& p) {
+         for (Surface& surface : p.surfaces) surface.normal.value = 1;
+       }},
+      {{"restitution-plus-20-percent", "restitution 20% too large, at most 1"},
+       [](P p, int) { p.restitution = std::min(1.0, 1.2 * p.restitution); },
+       nothing,
+       [](auto& p) { scale_restitution(p, 1.2); }},
       {{"acceptance-inverted", "pairs refused that should collide and the other way round"},
        [](P p, int) { p.faults.acceptance_inverted = true; },
        nothing,

@@ -56,6 +56,18 @@ TEST(Collapse, ThreeOnALineIfAndOnlyIfTheRestitutionIsBelowTheCriticalOne) {
   EXPECT_NEAR(kCritical, 0.0718, 1e-4);
 }
 
+/// A row of touching disks all around the box: the momentum goes round and round at one instant.
+TEST(Collapse, ARingOfTouchingDisksIsToldAndNotFollowedForEver) {
+  Parameters<2> parameters;
+  parameters.geometry = {Vector<2>(6, 6), {true, true}};
+  parameters.particles = 6;
+  const auto gas = make_event_driven<2>(parameters, {}, {1, 0});
+  Particles<2> ring;
+  for (int i = 0; i < 6; ++i) ring.phases.push_back({{i + 0.5, 3}, {i == 0 ? 5.0 : -1.0, 0}});
+  gas->assign(ring);
+  EXPECT_THROW(gas->step(1, 0), RunError);
+}
+
 TEST(Collapse, TheMessageNamesTimePlaceAndPair) {
   const auto gas = three_on_a_line(0.05).make();
   try {

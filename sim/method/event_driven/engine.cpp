@@ -46,6 +46,7 @@ void Engine<D, F, M>::assign(const Particles<D>& particles) {
   now_ = origin_ = 0;
   drawn_ = 0;
   stall_ = {};
+  stall_.set_size(particles.phases.size());
   seen_ = -1;
   prefetches_ = Prefetch<D>::pays(gas_.size());
   gas_.reorder(order_by_cell(gas_, cells_));
