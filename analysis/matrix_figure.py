@@ -33,8 +33,8 @@ def _canvas(columns, lines):
     panel.axis("off")
     width = (WIDTH - LABEL) / max(1, len(columns))
     for index, variant in enumerate(columns):
-        panel.text(LABEL + width * index + 0.08, ROW * 0.7, _short(variant, int(width * 12)), weight="bold",
-                   fontsize=9)
+        panel.text(LABEL + width * index + 0.08, ROW * 0.7, _short(variant, int(width * 15)), weight="bold",
+                   fontsize=9 if len(variant) <= width * 11 else 7.5)
     return picture, panel, width
 
 
