@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/method/event_driven/particle.hpp"
+#include "sim/method/event_driven/candidates.hpp"
 #include "sim/space/particle_store.hpp"
 
 #include <array>
@@ -13,22 +13,6 @@ template <int D>
 struct Geometry {
   Vector<D> box = Vector<D>::Ones();
   std::array<bool, D> periodic{};
-};
-
-/// Particles found near a place. Storage that grows and is never given back.
-class Candidates {
- public:
-  std::uint32_t size = 0;
-  std::uint32_t* data() { return list_.data(); }
-  std::uint32_t operator[](std::uint32_t k) const { return list_[k]; }
-  std::size_t room() const { return list_.size(); }
-  std::uint32_t* grow() {
-    list_.resize(2 * list_.size());
-    return list_.data();
-  }
-
- private:
-  std::vector<std::uint32_t> list_ = std::vector<std::uint32_t>(256);
 };
 
 /// Particles linked by cell. A cell number holds its coordinates side by side in 32 bits, so that a step to a neighbour
@@ -65,36 +49,24 @@ class Cells {
 
   static std::uint32_t coordinate(std::uint32_t cell, int axis) { return (cell >> (kBits * axis)) & kMask; }
   /// Edges of a cell. Beside a wall it is open: only the wall holds particles back, and it may move.
-  double low_edge(std::uint32_t cell, int axis) const {
-    const std::uint32_t here = coordinate(cell, axis);
-    return here > 0 ? here * edge_[axis] : lowest_[axis];
-  }
-  double high_edge(std::uint32_t cell, int axis) const {
-    const std::uint32_t next = coordinate(cell, axis) + 1;
-    return next < count_[index(axis)] ? next * edge_[axis] : highest_[axis];
+  double edge(std::uint32_t cell, int axis, bool up) const {
+    const std::uint32_t face = coordinate(cell, axis) + up;
+    double edge = face * edge_[axis];
+    edge = face > 0 ? edge : lowest_[axis];
+    return face < count_[index(axis)] ? edge : highest_[axis];
   }
 
   /// The next cell along an axis; `shift` is what the position changes by when the way leads through a periodic
   /// boundary. Behind a wall there is no cell: the same one again.
   std::uint32_t step(std::uint32_t cell, int axis, bool up, double& shift) const;
 
-  /// Finds the particles of the cell and of its neighbours, some more than once beside a wall.
-  void collect_around(const Body<D>* bodies, std::uint32_t cell, Candidates& found) const {
-    heads_around(cell, found);
-    follow(bodies, found);
-  }
-  /// Finds those of the cells that have become neighbours by a step along `axis` into `cell`.
-  void collect_ahead(const Body<D>* bodies, std::uint32_t cell, int axis, bool up, Candidates& found) const {
-    heads_ahead(cell, axis, up, found);
-    follow(bodies, found);
-  }
-
-  /// The first particle of each cell only, for prefetching.
+  /// Finds the first particle of the cell and of each of its neighbours, some more than once beside a wall.
   void heads_around(std::uint32_t cell, Candidates& found) const {
     Offsets offsets;
     for (int axis = 0; axis < D; ++axis) offsets[index(axis)] = around(cell, axis);
     heads<3>(offsets, found);
   }
+  /// Finds those of the cells that have become neighbours by a step along `axis` into `cell`.
   void heads_ahead(std::uint32_t cell, int axis, bool up, Candidates& found) const {
     Offsets offsets;
     offsets[0] = around(cell, axis);
@@ -132,37 +104,16 @@ class Cells {
     return {low * stride, here * stride, high * stride};
   }
 
-  /// Without branches on what a cell holds: an empty place is written and then not counted.
   template <int First>
   void heads(const Offsets& offsets, Candidates& found) const {
-    std::uint32_t* list = found.data();
-    std::uint32_t n = 0;
-    const auto take = [&](std::uint32_t place) {
-      list[n] = head_[place];
-      n += list[n] != kNobody;
-    };
+    found.clear();
     for (std::size_t i = 0; i < First; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         if constexpr (D == 2) {
-          take(offsets[0][i] + offsets[1][j]);
+          found.add(head_[offsets[0][i] + offsets[1][j]]);
         } else {
-          for (std::size_t k = 0; k < 3; ++k) take(offsets[0][i] + offsets[1][j] + offsets[2][k]);
+          for (std::size_t k = 0; k < 3; ++k) found.add(head_[offsets[0][i] + offsets[1][j] + offsets[2][k]]);
         }
-    found.size = n;
-  }
-
-  /// Appends those behind the first ones.
-  void follow(const Body<D>* bodies, Candidates& found) const {
-    std::uint32_t* list = found.data();
-    std::uint32_t size = found.size;
-    for (std::uint32_t k = 0; k < size; ++k) {
-      if (size == found.room()) [[unlikely]]
-        list = found.grow();
-      const std::uint32_t below = bodies[list[k]].below;
-      list[size] = below;
-      size += below != kNobody;
-    }
-    found.size = size;
   }
 
   Geometry<D> geometry_;

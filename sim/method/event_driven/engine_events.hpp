@@ -79,7 +79,7 @@ void Engine<D, F, M>::cross(std::uint32_t particle) {
   Contact best{next.contact, next.partner};
   const Next known = next;
   if (!parameters_.faults.blind_crossing) {
-    cells_.collect_ahead(bodies, cell, axis, up, near_);
+    cells_.heads_ahead(cell, axis, up, near_);
     search_.earliest(gas_, particle, near_, now_, best);
   }
   ask_agents(particle, best);
@@ -152,7 +152,7 @@ void Engine<D, F, M>::predict(std::uint32_t particle) {
 template <int D, class F, bool M>
 Contact Engine<D, F, M>::first_contact(std::uint32_t particle) {
   Contact best;
-  cells_.collect_around(gas_.bodies.data(), gas_.next[particle].cell, near_);
+  cells_.heads_around(gas_.next[particle].cell, near_);
   search_.earliest(gas_, particle, near_, now_, best);
   ask_agents(particle, best);
   return best;

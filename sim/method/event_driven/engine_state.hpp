@@ -34,8 +34,8 @@ void Engine<D, F, M>::watch_cells() {
   for (const std::uint32_t cell : cells_.all()) {
     Vector<D> low, high;
     for (int axis = 0; axis < D; ++axis) {
-      low[axis] = cells_.low_edge(cell, axis);
-      high[axis] = cells_.high_edge(cell, axis);
+      low[axis] = cells_.edge(cell, axis, false);
+      high[axis] = cells_.edge(cell, axis, true);
     }
     for (const auto& agent : agents_)
       if (agent->reaches(low, high)) watched_[cells_.linear(cell)] = 1;

@@ -38,16 +38,20 @@ Exit first_exit(const Cells<D>& cells, const Flight& flight, const Body<D>& body
     const Vector<D> position = flight.position(body, now), velocity = flight.velocity(body, now);
     for (int axis = 0; axis < D; ++axis) {
       const double x = position[axis], v = velocity[axis], g = flight.acceleration(axis);
-      const double down = time_to_exit(x, v, g, cells.low_edge(cell, axis), -1, now);
-      const double up = time_to_exit(x, v, g, cells.high_edge(cell, axis), 1, now);
+      const double down = time_to_exit(x, v, g, cells.edge(cell, axis, false), -1, now);
+      const double up = time_to_exit(x, v, g, cells.edge(cell, axis, true), 1, now);
       if (now + std::min(down, up) < exit.time) exit = {now + std::min(down, up), axis, up < down};
     }
   } else {
     for (int axis = 0; axis < D; ++axis) {
       const double v = body.velocity[axis];
-      const double edge = v > 0 ? cells.high_edge(cell, axis) : cells.low_edge(cell, axis);
+      const bool up = v > 0;
+      const double edge = cells.edge(cell, axis, up);
       const double time = v != 0 ? body.time + (edge - body.position[axis]) / v : HUGE_VAL;
-      if (time < exit.time) exit = {time, axis, v > 0};
+      const bool sooner = time < exit.time;
+      exit.time = sooner ? time : exit.time;
+      exit.axis = sooner ? axis : exit.axis;
+      exit.up = sooner ? up : exit.up;
     }
     exit.time = std::max(exit.time, now);
   }

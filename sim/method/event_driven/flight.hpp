@@ -5,41 +5,72 @@
 
 namespace sandglass::event_driven {
 
-/// Motion between events, without a force. The differences of two flights are straight in both cases.
+/// Motion between events along one axis, of one particle or of four, without a force. The differences of two flights are
+/// straight in both cases.
 template <int D>
-struct Straight {
+struct StraightAxes {
   static constexpr bool falls = false;
-  explicit Straight(const Vector<D>&) {}
+  explicit StraightAxes(const Vector<D>&) {}
 
-  Vector<D> position(const Body<D>& body, double now) const {
-    return body.position + (now - body.time) * body.velocity;
+  template <class Real>
+  Real place(Real x, Real v, Real age, int) const {
+    return x + age * v;
   }
-  Vector<D> velocity(const Body<D>& body, double) const { return body.velocity; }
+  template <class Real>
+  Real speed(Real v, Real, int) const {
+    return v;
+  }
   double acceleration(int) const { return 0; }
 };
 
 /// Motion under a uniform acceleration.
 template <int D>
-struct Falling {
+struct FallingAxes {
   static constexpr bool falls = true;
   Vector<D> gravity;
-  explicit Falling(const Vector<D>& g) : gravity(g) {}
+  explicit FallingAxes(const Vector<D>& g) : gravity(g) {}
 
-  Vector<D> position(const Body<D>& body, double now) const {
-    const double age = now - body.time;
-    return body.position + age * (body.velocity + 0.5 * age * gravity);
+  template <class Real>
+  Real place(Real x, Real v, Real age, int axis) const {
+    return x + age * (v + 0.5 * age * gravity[axis]);
   }
-  Vector<D> velocity(const Body<D>& body, double now) const {
-    return body.velocity + (now - body.time) * gravity;
+  template <class Real>
+  Real speed(Real v, Real age, int axis) const {
+    return v + age * gravity[axis];
   }
   double acceleration(int axis) const { return gravity[axis]; }
 };
 
+/// The same along all axes.
+template <int D, class Axes>
+struct Motion : Axes {
+  using Axes::Axes;
+
+  Vector<D> position(const Body<D>& body, double now) const {
+    Vector<D> position;
+    for (int axis = 0; axis < D; ++axis)
+      position[axis] = this->place(body.position[axis], body.velocity[axis], now - body.time, axis);
+    return position;
+  }
+  Vector<D> velocity(const Body<D>& body, double now) const {
+    Vector<D> velocity;
+    for (int axis = 0; axis < D; ++axis)
+      velocity[axis] = this->speed(body.velocity[axis], now - body.time, axis);
+    return velocity;
+  }
+};
+
+template <int D>
+using Straight = Motion<D, StraightAxes<D>>;
+template <int D>
+using Falling = Motion<D, FallingAxes<D>>;
+
 /// Brings a body to `now`.
 template <int D, class Flight>
 void advance(const Flight& flight, Body<D>& body, double now) {
-  body.position = flight.position(body, now);
+  const Vector<D> position = flight.position(body, now);
   body.velocity = flight.velocity(body, now);
+  body.position = position;
   body.time = now;
 }
 

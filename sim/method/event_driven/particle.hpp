@@ -1,7 +1,9 @@
 #pragma once
 
 #include "sim/base/vector.hpp"
+#include "sim/space/quad.hpp"
 
+#include <array>
 #include <cstdint>
 
 namespace sandglass::event_driven {
@@ -15,6 +17,28 @@ struct alignas(64) Body {
   double time;
   std::uint32_t changes;  ///< of its flight; predictions made before the last one are out of date
   std::uint32_t below;    ///< the next particle in the same cell, or nobody
+};
+
+/// Four bodies, each number of theirs side by side. Reads the lines whole.
+template <int D>
+class Columns {
+ public:
+  Columns(const Body<D>* bodies, const std::array<std::uint32_t, 4>& which) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto* numbers = reinterpret_cast<const double*>(bodies + which[k]);
+      low_[k] = read_quad(numbers);
+      high_[k] = read_quad(numbers + 4);
+    }
+    transpose(low_);
+    transpose(high_);
+  }
+  const Quad& position(int axis) const { return column(axis); }
+  const Quad& velocity(int axis) const { return column(D + axis); }
+  const Quad& time() const { return column(2 * D); }
+
+ private:
+  const Quad& column(int place) const { return place < 4 ? low_[place] : high_[place - 4]; }
+  Quad low_[4], high_[4];
 };
 
 /// What will happen to a particle next: a contact or, before that, the crossing of a cell wall.

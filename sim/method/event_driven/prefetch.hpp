@@ -43,7 +43,7 @@ class Prefetch {
     __builtin_prefetch(&gas.bodies[particle]);
   }
   void fetch_found(const Gas<D>& gas) {
-    for (std::uint32_t k = 0; k < near_.size; ++k) __builtin_prefetch(&gas.bodies[near_[k]]);
+    for (std::uint32_t k = 0; k < near_.size(); ++k) __builtin_prefetch(&gas.bodies[near_[k]]);
   }
   void fetch_around(const Gas<D>& gas, const Cells<D>& cells, std::uint32_t cell) {
     cells.heads_around(cell, near_);
