@@ -1,5 +1,6 @@
 #include "sim/method/event_driven/event_driven.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -78,7 +79,7 @@ double collision_time(const Parameters<D>& parameters) {
   return 1 / ((D == 2 ? 2 : 4) * std::sqrt(M_PI) * density * contact);
 }
 
-/// An iteration is about one collision of every tenth particle.
+/// An iteration is about one collision of every tenth particle, however far the gas has cooled.
 template <int D>
 void collisions(benchmark::State& state, Feature feature) {
   const auto sites =
@@ -86,14 +87,16 @@ void collisions(benchmark::State& state, Feature feature) {
   const Parameters<D> parameters = parameters_of<D>(std::pow(static_cast<double>(sites), D), feature);
   const auto gas = make_event_driven<D>(parameters, {}, Streams{});
   gas->assign(lattice<D>(parameters, sites));
-  const double dt = collision_time(parameters) / 10;
+  double dt = collision_time(parameters) / 10;
   std::uint64_t step = 0;
   for (; step < 40; ++step) gas->step(dt, step);
   const std::uint64_t before = gas->tally().collisions;
-  double slowing = 1;
+  std::uint64_t last = before;
   for (auto _ : state) {
-    gas->step(dt * slowing, step++);
-    slowing *= 1 + 0.1 * (1 - feature.restitution * feature.restitution) / (2 * D);
+    gas->step(dt, step++);
+    const auto counted = static_cast<double>(gas->tally().collisions - last);
+    last = gas->tally().collisions;
+    dt *= std::clamp(static_cast<double>(parameters.particles) / 20 / counted, 0.9, 1.1);
   }
   const auto done = static_cast<double>(gas->tally().collisions - before);
   state.counters["collisions_per_second"] = benchmark::Counter(done, benchmark::Counter::kIsRate);
