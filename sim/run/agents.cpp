@@ -13,12 +13,15 @@ using namespace event_driven;
 
 constexpr double kSticks = std::numeric_limits<double>::infinity();
 
+/// Of the velocity-dependent guard; zero without.
+double reference_speed(const Scene& scene) {
+  return scene.method.guard == CollapseGuard::velocity_dependent ? scene.method.reference_speed : 0;
+}
+
 Surface surface_of(const Scene& scene, const Species& species) {
-  Surface surface{
-      {species.restitution, 0}, species.tangential_restitution, species.friction.value_or(kSticks)};
-  if (scene.method.guard == CollapseGuard::velocity_dependent)
-    surface.normal.reference_speed = scene.method.reference_speed;
-  return surface;
+  return {{species.restitution, reference_speed(scene)},
+          species.tangential_restitution,
+          species.friction.value_or(kSticks)};
 }
 
 WallKind kind_of(SurfaceKind kind) {
@@ -39,11 +42,9 @@ WallKind kind_of(SurfaceKind kind) {
 WallRule rule_of(const Scene& scene, const SurfaceRule& surface, const Faults& faults) {
   WallRule rule;
   rule.kind = kind_of(surface.rule);
-  rule.surface = {{std::min(1.0, faults.wall_restitution * surface.restitution), 0},
+  rule.surface = {{std::min(1.0, faults.wall_restitution * surface.restitution), reference_speed(scene)},
                   surface.tangential_restitution,
                   surface.friction.value_or(kSticks)};
-  if (scene.method.guard == CollapseGuard::velocity_dependent)
-    rule.surface.normal.reference_speed = scene.method.reference_speed;
   rule.probability = surface.probability;
   rule.temperature = surface.temperature;
   return rule;

@@ -1,55 +1,12 @@
+#include "sim/scene/driven_disks.hpp"
 #include "sim/scene/fault_table.hpp"
 
 namespace sandglass {
 namespace {
 
-const std::string good = R"([run]
-duration = { time = 10.0 }
-[domain]
-dimension = 2
-size = [10.0, 20.0]
-sides.y = "specular"
-[[species]]
-name = "small"
-count = 10
-tangential-restitution = 0.5
-friction = 0.2
-moment-of-inertia = 0.5
-[[species]]
-name = "large"
-number-density = 0.025
-diameter = 2.0
-[[wall]]
-side = "y-low"
-restitution = 0.8
-amplitude = 0.5
-frequency = 2.0
-[[wall]]
-side = "y-high"
-rule = "thermal"
-temperature = 2.0
-velocity = [1.0, 0.0]
-[[obstacle]]
-centre = [5.0, 10.0]
-radius = 1.0
-[method]
-preset = "event-driven"
-collapse-guard = "contact-time"
-contact-time = 1e-5
-time-step = 0.1
-[initial]
-positions = "lattice"
-spin-temperature = 0.5
-[[observe]]
-what = "impact-parameter"
-bins = 20
-[output]
-event-trace = "events.csv"
-)";
-
 class EventDriven : public testing::TestWithParam<Fault> {};
 
-TEST_P(EventDriven, IsRefusedWithPlaceAndReason) { expect_fault(good, GetParam()); }
+TEST_P(EventDriven, IsRefusedWithPlaceAndReason) { expect_fault(kDrivenDisks, GetParam()); }
 
 const std::vector<Fault> method_faults = {
     {"contact_factor",
@@ -162,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Method, EventDriven, testing::ValuesIn(method_faults), 
 INSTANTIATE_TEST_SUITE_P(Species, EventDriven, testing::ValuesIn(species_faults), fault_name);
 
 TEST(EventDrivenTogether, ReadsWhatItIsGiven) {
-  const Scene scene = read_scene_text(good, "");
+  const Scene scene = read_scene_text(kDrivenDisks, "");
   EXPECT_TRUE(is_event_driven(scene));
   EXPECT_TRUE(is_rough(scene));
   EXPECT_EQ(particle_count(scene), 15U);
@@ -182,8 +139,9 @@ TEST(EventDrivenTogether, ReadsWhatItIsGiven) {
 
 TEST(EventDrivenTogether, PairCorrelationReachesHalfTheShortestEdge) {
   const std::string observer = "\"pair-correlation\"\nrange = [0.0, 5.0]\nbins = 20";
-  const std::string walls = good.substr(good.find("[[wall]]"), good.find("[method]") - good.find("[[wall]]"));
-  std::string text = spoiled(good, {"", walls, "", "", {}});
+  const std::string walls = kDrivenDisks.substr(
+      kDrivenDisks.find("[[wall]]"), kDrivenDisks.find("[method]") - kDrivenDisks.find("[[wall]]"));
+  std::string text = spoiled(kDrivenDisks, {"", walls, "", "", {}});
   text = spoiled(text, {"", "sides.y = \"specular\"\n", "", "", {}});
   text = spoiled(text, {"", "\"impact-parameter\"\nbins = 20", observer, "", {}});
   expect_fault(text, {"", "[0.0, 5.0]", "[0.0, 5.1]", "26:9", {"from 0 to half the shortest edge, 5"}});

@@ -15,12 +15,8 @@ namespace sandglass {
 
 namespace {
 Evidence passage_evidence(const Mean& time, const ClusteringExcess& excess, double expected) {
-  Evidence evidence;
+  Evidence evidence = from_mean(time, expected);
   evidence.units = "t0";
-  evidence.value = time.value;
-  evidence.standard_error = time.standard_error;
-  evidence.degrees_of_freedom = time.degrees_of_freedom;
-  evidence.expected = expected;
   evidence.figures.push_back(excess.figure());
   return evidence;
 }

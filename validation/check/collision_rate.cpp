@@ -40,14 +40,10 @@ Evidence against(const Subject& subject, law::Bounded (*rate_of)(const law::Gas&
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)
     rates.push_back(interval_rates(subject, replica));
   const Mean rate = pooled(rates);
-  Evidence evidence;
-  evidence.units = "1/time";
-  evidence.value = rate.value;
-  evidence.standard_error = rate.standard_error;
-  evidence.degrees_of_freedom = rate.degrees_of_freedom;
   const law::Bounded theory = rate_of(subject.gas(subject.mean_temperature()));
   const double factor = subject.pair_factor() * relative_speed_factor(subject.degrees_of_freedom());
-  evidence.expected = theory.value * factor;
+  Evidence evidence = from_mean(rate, theory.value * factor);
+  evidence.units = "1/time";
   evidence.budget.reference = theory.standard_error * factor;
   evidence.budget.systematic = subject.missing_pairs() * evidence.expected + theory.bound * factor;
   evidence.budget.reason = subject.missing_pairs() > 0 ? "pairs that an offset takes from a cell, (1-S)/N_c"

@@ -46,11 +46,8 @@ double uncorrelated_mean(const std::vector<double>& edges, int dimension) {
 
 /// One-sided: a value beyond `least` counts as `least`, so that only a shortfall can fail.
 Evidence at_least(const Mean& mean, double least, const std::string& what) {
-  Evidence evidence;
+  Evidence evidence = from_mean(mean, least);
   evidence.value = mean.value > least ? least : mean.value;
-  evidence.standard_error = mean.standard_error;
-  evidence.degrees_of_freedom = mean.degrees_of_freedom;
-  evidence.expected = least;
   evidence.budget.reason = "only a shortfall counts";
   evidence.summary = fmt::format("{} is {:.5g} +- {:.2g}, at least {:.5g} wanted", what, mean.value,
                                  mean.standard_error, least);

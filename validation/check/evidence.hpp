@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/base/statistics.hpp"
+
 #include <string>
 #include <vector>
 
@@ -51,5 +53,15 @@ struct Evidence {
   int comparisons = 1;  ///< independent comparisons behind the value (largest of k deviations, say)
   std::vector<Figure> figures;
 };
+
+/// An estimate with its error, and what it should be.
+inline Evidence from_mean(const Mean& mean, double expected) {
+  Evidence evidence;
+  evidence.value = mean.value;
+  evidence.standard_error = mean.standard_error;
+  evidence.degrees_of_freedom = mean.degrees_of_freedom;
+  evidence.expected = expected;
+  return evidence;
+}
 
 }  // namespace sandglass

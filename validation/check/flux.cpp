@@ -53,12 +53,9 @@ Evidence flux_rate(const Subject& subject, Way way) {
     fluxes.push_back(interval_fluxes(subject, replica, way == Way::up ? "up" : "down"));
   const Mean flux = pooled(fluxes);
   const law::Stream stream = stream_of(subject);
-  Evidence evidence;
+  Evidence evidence =
+      from_mean(flux, way == Way::up ? law::flux_forward(stream) : law::flux_backward(stream));
   evidence.units = "length^(1-D) time^-1";
-  evidence.value = flux.value;
-  evidence.standard_error = flux.standard_error;
-  evidence.degrees_of_freedom = flux.degrees_of_freedom;
-  evidence.expected = way == Way::up ? law::flux_forward(stream) : law::flux_backward(stream);
   if (is_reservoir(subject.scene())) return evidence;
   evidence.budget.systematic = 2 / subject.particles() * evidence.expected;
   evidence.budget.reason = "finite N: moments of a sphere instead of a Gaussian";

@@ -88,11 +88,7 @@ Evidence guarded_cooling(const Subject& subject, const law::Arguments& numbers) 
   }
   const Mean ratio = pooled(ratios);
   const double a2 = law::sonine_a2(subject.dimension(), subject.species().restitution);
-  Evidence evidence;
-  evidence.value = ratio.value;
-  evidence.standard_error = ratio.standard_error;
-  evidence.degrees_of_freedom = ratio.degrees_of_freedom;
-  evidence.expected = 1;
+  Evidence evidence = from_mean(ratio, 1);
   evidence.budget.systematic = error / count + std::abs(a2) / 4 + 2 / subject.particles();
   evidence.budget.reason =
       "distance of the share with speeds resolved from exp(-2 omega t_c), Sonine order, 2/N";

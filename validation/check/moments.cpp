@@ -124,11 +124,7 @@ Evidence sonine_coefficient(const Subject& subject, const law::Arguments& number
   }
   const Mean mean = pooled(settled);
   const double r = subject.species().restitution;
-  Evidence evidence;
-  evidence.value = mean.value;
-  evidence.standard_error = mean.standard_error;
-  evidence.degrees_of_freedom = mean.degrees_of_freedom;
-  evidence.expected = law::sonine_a2(subject.dimension(), r);
+  Evidence evidence = from_mean(mean, law::sonine_a2(subject.dimension(), r));
   evidence.budget.systematic = error_of_first_order(subject.dimension(), r);
   evidence.budget.reason = "first Sonine order: its two closures differ, a2 squared and a3 are left out";
   evidence.figures.push_back(sonine_figure(subject, evidence.expected));

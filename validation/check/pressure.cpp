@@ -16,15 +16,6 @@ std::vector<double> compressibility_samples(const Subject& subject, std::size_t 
   return samples;
 }
 
-Evidence from_mean(const Mean& mean, double expected) {
-  Evidence evidence;
-  evidence.value = mean.value;
-  evidence.standard_error = mean.standard_error;
-  evidence.degrees_of_freedom = mean.degrees_of_freedom;
-  evidence.expected = expected;
-  return evidence;
-}
-
 Evidence against(const Subject& subject, const law::Bounded& theory) {
   std::vector<std::vector<double>> samples;
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)

@@ -36,15 +36,6 @@ std::vector<std::vector<double>> weighted(const Subject& subject, const std::str
   return sums;
 }
 
-Evidence from_mean(const Mean& mean, double expected) {
-  Evidence evidence;
-  evidence.value = mean.value;
-  evidence.standard_error = mean.standard_error;
-  evidence.degrees_of_freedom = mean.degrees_of_freedom;
-  evidence.expected = expected;
-  return evidence;
-}
-
 /// S(0) from the slope of the reference equation of state.
 double reference_structure(const law::Gas& gas) {
   constexpr double h = 1e-3;

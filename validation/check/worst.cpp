@@ -18,11 +18,7 @@ void WorstRatio::offer(const Mean& ratio, const std::string& label) {
 Evidence WorstRatio::evidence() const {
   if (comparisons_ == 0)
     throw InputError("nothing to compare: the record holds too few counts for this check");
-  Evidence evidence;
-  evidence.value = ratio_.value;
-  evidence.standard_error = ratio_.standard_error;
-  evidence.degrees_of_freedom = ratio_.degrees_of_freedom;
-  evidence.expected = 1;
+  Evidence evidence = from_mean(ratio_, 1);
   evidence.comparisons = comparisons_;
   return evidence;
 }
