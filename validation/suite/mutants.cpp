@@ -38,7 +38,11 @@ MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confiden
   use.limits.clear();
   Task honest = task;
   honest.checks = {&use};
-  result.check = judge_record(honest, run_scene(task.scene, options), confidence).front();
+  try {
+    result.check = judge_record(honest, run_scene(task.scene, options), confidence).front();
+  } catch (const RunError& error) {
+    result.check = judge_broken(honest, error.what(), confidence).front();
+  }
   result.caught = result.check.judgement.verdict == Verdict::fail;
   return result;
 }

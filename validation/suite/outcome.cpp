@@ -54,6 +54,13 @@ std::vector<CheckOutcome> judge_record(const Task& task, const Record& record, c
   return outcomes;
 }
 
+std::vector<CheckOutcome> judge_broken(const Task& task, const std::string& reason,
+                                       const Confidence& confidence) {
+  std::vector<CheckOutcome> outcomes = judge_record(task, Record{}, confidence);
+  for (CheckOutcome& check : outcomes) check.judgement.reason = "the run broke: " + reason;
+  return outcomes;
+}
+
 RunSummary summarize(const Task& task, const Record& record) {
   RunSummary run;
   run.variant = task.variant;

@@ -43,6 +43,10 @@ struct Outcome {
 /// why.
 std::vector<CheckOutcome> judge_record(const Task& task, const Record& record, const Confidence& confidence);
 
+/// A run that broke: every check is inconclusive and gives the reason.
+std::vector<CheckOutcome> judge_broken(const Task& task, const std::string& reason,
+                                       const Confidence& confidence);
+
 /// Cost and provenance out of a record.
 RunSummary summarize(const Task& task, const Record& record);
 

@@ -14,14 +14,12 @@ constexpr std::uint64_t escalation = 4;  // times the replicas, once
 
 std::string name_of(const Task& task) { return task.subject->name + "/" + task.variant + "/" + task.point; }
 
-/// A run that broke: every check is inconclusive and gives the reason.
 Outcome broken(const Task& task, const std::string& reason, const Confidence& confidence) {
   Outcome outcome;
   outcome.run.variant = task.variant;
   outcome.run.point = task.point;
   outcome.run.seed = task.scene.run.seed;
-  outcome.checks = judge_record(task, Record{}, confidence);
-  for (CheckOutcome& check : outcome.checks) check.judgement.reason = "the run broke: " + reason;
+  outcome.checks = judge_broken(task, reason, confidence);
   return outcome;
 }
 

@@ -95,6 +95,9 @@ Workload collect(const std::vector<Case>& cases, const SuiteOptions& options) {
 
 void run_matrix(const std::vector<Case>& cases, const SuiteOptions& options, SuiteResult& result) {
   const Workload load = collect(cases, options);
+  if (load.tasks.empty())
+    throw InputError("nothing to run: no case asked for has the variant '" + options.variant +
+                     "' in the tier '" + options.tier + "' (sandglass list cases)");
   std::vector<Outcome> outcomes(load.tasks.size());
   run_all(load.tasks, options, [&](std::size_t i) {
     outcomes[i] = run_task(load.tasks[i], options, i < load.matrix ? record_path(load.tasks[i]) : "");

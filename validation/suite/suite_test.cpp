@@ -100,6 +100,40 @@ TEST(Suite, UnknownNamesAreRefused) {
   EXPECT_THROW(run_suite(options), InputError);
 }
 
+TEST(Suite, NothingToRunIsRefused) {
+  const SyntheticCase files(
+      "[[variant]]\nname = \"cba\"\nset.method.preset = \"cba\"\n[[tier]]\nname = \"smoke\"\nvariants = "
+      "[\"dsmc\"]\n");
+  SuiteOptions options = options_of(files);
+  options.variant = "cba";
+  EXPECT_FALSE(run_suite(options).outcomes.empty());
+  options.tier = "smoke";
+  EXPECT_THROW(run_suite(options), InputError);
+}
+
+/// Without its guard the row collapses, and the run stops.
+TEST(Suite, FaultThatBreaksTheRunIsNotCaught) {
+  const Scene row = read_scene_text(R"(
+run = { duration = { time = 1.0 } }
+domain = { dimension = 2, size = [20.0, 20.0] }
+method = { preset = "event-driven", time-step = 0.1, collapse-guard = "contact-time", contact-time = 1e-3 }
+species = [{ restitution = 0.05 }]
+initial = { positions = "given" }
+particle = [{ position = [9.0, 10.0], velocity = [1.0, 0.0] },
+            { position = [10.2, 10.0], velocity = [0.0, 0.0] },
+            { position = [11.7, 10.0], velocity = [-1.0, 0.0] }]
+observe = [{ what = "energy" }]
+)",
+                                    "row.toml");
+  const Case subject;
+  const CheckUse use{"momentum-conservation", "", {}, {}, {}};
+  const Task task{&subject, "event-driven", "row", row, {&use}};
+  const MutantResult result =
+      judge_mutant(task, {"guard-dropped", use.check, task.variant, task.point, {}}, {});
+  EXPECT_FALSE(result.caught);
+  EXPECT_THAT(result.check.judgement.reason, testing::HasSubstr("the run broke: inelastic collapse"));
+}
+
 TEST(Suite, StopInterrupts) {
   const SyntheticCase files;
   SuiteOptions options = options_of(files);
