@@ -2,6 +2,7 @@
 #include "validation/check/clustering_excess.hpp"
 #include "validation/check/clustering_reference.hpp"
 #include "validation/check/families.hpp"
+#include "validation/check/worst.hpp"
 #include "validation/law/haff.hpp"
 
 #include <algorithm>
@@ -98,8 +99,7 @@ Evidence excluded_volume(const Subject& subject, const law::Arguments&) {
   Evidence evidence;
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
     const Series& series = subject.series(replica, "pair-correlation");
-    const double pairs = pairs_below_contact(series, subject.species().diameter, subject.dimension());
-    if (!std::isnan(evidence.value) && !(pairs <= evidence.value)) evidence.value = pairs;
+    keep_worst(evidence.value, pairs_below_contact(series, subject.species().diameter, subject.dimension()));
   }
   evidence.budget.reason = "hard particles exclude each other exactly";
   return evidence;

@@ -1,4 +1,5 @@
 #include "validation/check/families.hpp"
+#include "validation/check/worst.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,11 +38,8 @@ double largest_drift(const Subject& subject, const std::string& quantity, const 
     const Series& series = subject.series(replica, quantity);
     const double unit = std::abs(subject.series(replica, scale).value.front());
     const std::size_t width = series.quantity.size();
-    for (std::size_t i = width; i < series.value.size(); ++i) {
-      const double drift = std::abs(series.value[i] - series.value[i % width]) / unit;
-      if (!(drift <= largest)) largest = drift;
-      if (std::isnan(largest)) return largest;
-    }
+    for (std::size_t i = width; i < series.value.size(); ++i)
+      keep_worst(largest, std::abs(series.value[i] - series.value[i % width]) / unit);
   }
   return largest;
 }

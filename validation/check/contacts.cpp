@@ -1,6 +1,7 @@
 #include "sim/base/error.hpp"
 #include "validation/check/families.hpp"
 #include "validation/check/histogram.hpp"
+#include "validation/check/worst.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,8 +99,7 @@ Evidence drift(const Subject& subject, const law::Arguments& numbers) {
 Evidence overlap(const Subject& subject, const law::Arguments& numbers) {
   Evidence evidence;
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)
-    for (double depth : subject.column(replica, "overlap", ""))
-      if (!(depth <= evidence.value)) evidence.value = depth;
+    for (double depth : subject.column(replica, "overlap", "")) keep_worst(evidence.value, depth);
   evidence.units = "diameters";
   evidence.budget.systematic = numbers.at("deepest");
   evidence.budget.reason = "rounding of positions";

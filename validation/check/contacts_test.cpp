@@ -70,12 +70,12 @@ TEST(ImpactParameterDrift, WantsAChange) {
   EXPECT_GT(significance(run_check(check, impact_record(0.3, 0), settings)), 4);
 }
 
-Evidence overlap_of(double deepest) {
+Evidence overlap_of(double deepest, std::size_t where = 1) {
   Record record = record_of({.event_driven = true}, 2);
   for (std::size_t replica = 0; replica < 2; ++replica) {
     Series& series = add_series(record, replica, "overlap", {});
     add_sample(series, 0, {0});
-    add_sample(series, 1, {replica == 1 ? deepest : 1e-15});
+    add_sample(series, 1, {replica == where ? deepest : 1e-15});
   }
   return run_check(find_check("overlap"), record, {});
 }
@@ -85,6 +85,7 @@ TEST(Overlap, RoundingIsAllowedPenetrationIsNot) {
   EXPECT_EQ(overlap_of(1e-6).value, 1e-6);
   EXPECT_GT(overlap_of(1e-6).value, overlap_of(1e-6).budget.systematic);
   EXPECT_TRUE(std::isnan(overlap_of(std::nan("")).value));
+  EXPECT_TRUE(std::isnan(overlap_of(std::nan(""), 0).value)) << "whatever comes after it";
 }
 
 }  // namespace

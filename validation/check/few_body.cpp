@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "validation/check/families.hpp"
 #include "validation/check/few_body_frames.hpp"
+#include "validation/check/worst.hpp"
 
 #include <algorithm>
 #include <cmath>

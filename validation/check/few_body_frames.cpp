@@ -3,7 +3,6 @@
 #include "sim/base/error.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -36,10 +35,6 @@ FramedBall ball_in(const Frame& frame, std::size_t index, int dimension) {
                   Vector<3>::Zero()};
   if (!frame.spin.empty()) ball.spin = spin_in_space(cut(frame.spin, place, dimension == 2 ? 1 : 3));
   return ball;
-}
-
-void keep_worst(double& worst, double candidate) {
-  if (!std::isnan(worst) && !(candidate <= worst)) worst = candidate;
 }
 
 const std::vector<Frame>& frames_with_ids(const Subject& subject) {

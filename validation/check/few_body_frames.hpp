@@ -21,9 +21,6 @@ Vector<3> spin_in_space(const std::vector<double>& components);
 /// The ball that was given as number `index`, from 0. Throws InputError when the frame does not hold it.
 FramedBall ball_in(const Frame& frame, std::size_t index, int dimension);
 
-/// The larger of two deviations; one that is not a number stays: nothing replaces it.
-void keep_worst(double& worst, double candidate);
-
 /// The trajectory. Throws InputError when the record has none, or no identities.
 const std::vector<Frame>& frames_with_ids(const Subject& subject);
 

@@ -6,6 +6,10 @@
 
 namespace sandglass {
 
+void keep_worst(double& worst, double candidate) {
+  if (!std::isnan(worst) && !(candidate <= worst)) worst = candidate;
+}
+
 void WorstRatio::offer(const Mean& ratio, const std::string& label) {
   ++comparisons_;
   const double significance = std::abs(ratio.value - 1) / ratio.standard_error;

@@ -7,6 +7,9 @@
 
 namespace sandglass {
 
+/// The larger of two deviations; one that is not a number stays: nothing replaces it.
+void keep_worst(double& worst, double candidate);
+
 /// Keeps the ratio to theory that is furthest from one in its own standard errors: the evidence of a check
 /// that makes many comparisons at once. A ratio that is not a number stays: nothing replaces it.
 class WorstRatio {
