@@ -37,11 +37,4 @@ template <int D>
 void reflect(const WallRule& rule, const Vector<D>& normal, const Vector<D>& wall_velocity,
              const WallVisitor<D>& visitor, Random& random);
 
-/// The same with the particle's state given one by one.
-template <int D>
-void reflect(const WallRule& rule, const Vector<D>& normal, const Vector<D>& wall_velocity, double mass,
-             double radius, double inertia, Vector<D>& velocity, Spin<D>* spin, Random& random) {
-  reflect<D>(rule, normal, wall_velocity, {velocity, spin, mass, radius, inertia}, random);
-}
-
 }  // namespace sandglass

@@ -30,7 +30,7 @@ struct Hit {
   void happen(const WallRule& rule, Random& random, bool spins = true) {
     after = before;
     spin_after = spin_before;
-    reflect<D>(rule, normal, wall, 2, 0.5, 0.3, after, spins ? &spin_after : nullptr, random);
+    reflect<D>(rule, normal, wall, {after, spins ? &spin_after : nullptr, 2, 0.5, 0.3}, random);
   }
 };
 

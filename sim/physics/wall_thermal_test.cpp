@@ -33,8 +33,8 @@ std::vector<Leaving<D>> leaving() {
   for (Leaving<D>& one : list) {
     one.velocity = wall - normal<D>();
     one.spin.setZero();
-    reflect<D>({WallKind::thermal, {}, 1, kTemperature}, normal<D>(), wall, kMass, 0.5, kInertia,
-               one.velocity, &one.spin, random);
+    reflect<D>({WallKind::thermal, {}, 1, kTemperature}, normal<D>(), wall,
+               {one.velocity, &one.spin, kMass, 0.5, kInertia}, random);
     one.velocity -= wall;
   }
   return list;

@@ -5,6 +5,9 @@
 #include "sim/method/event_driven/wall_agent.hpp"
 #include "sim/run/setup.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace sandglass {
 
 namespace {

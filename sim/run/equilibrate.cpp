@@ -108,7 +108,7 @@ double enskog_rate(const Scene& scene, double temperature) {
     for (const Species& b : scene.species) {
       const double reach = (a.diameter + b.diameter) / 2, mass = 1 / (1 / a.mass + 1 / b.mass);
       const double section = dimension == 2 ? 2 * reach : M_PI * reach * reach;
-      const double speed = std::sqrt((dimension == 2 ? M_PI / 2 : 8 / M_PI) * temperature / mass);
+      const double speed = std::sqrt(squared_mean_speed(dimension) * temperature / mass);
       rate +=
           number_density(scene, a) * static_cast<double>(particle_count(scene, b)) / count * section * speed;
     }

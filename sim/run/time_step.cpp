@@ -12,7 +12,7 @@
 namespace sandglass {
 
 double mean_speed(int dimension, double thermal_speed) {
-  return thermal_speed * std::sqrt(dimension == 2 ? M_PI / 2 : 8 / M_PI);
+  return thermal_speed * std::sqrt(squared_mean_speed(dimension));
 }
 
 template <int D>

@@ -2,10 +2,13 @@
 
 #include "sim/run/setup.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace sandglass {
 
+/// Square of the mean speed of a Maxwellian gas with T/m = 1: pi/2 in two dimensions, 8/pi in three.
+inline double squared_mean_speed(int dimension) { return dimension == 2 ? M_PI / 2 : 8 / M_PI; }
 /// Mean speed of a Maxwellian gas from sqrt(T/m).
 double mean_speed(int dimension, double thermal_speed);
 

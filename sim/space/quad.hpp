@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -10,7 +11,7 @@ namespace sandglass {
 using Quad = double __attribute__((vector_size(32)));
 using WholeQuad = long long __attribute__((vector_size(32)));  ///< also the type of a comparison
 
-inline double larger(double a, double b) { return a < b ? b : a; }
+inline double larger(double a, double b) { return std::max(a, b); }
 inline Quad larger(Quad a, Quad b) { return a < b ? b : a; }
 inline double square_root(double x) { return std::sqrt(x); }
 inline Quad square_root(Quad x) {
@@ -22,12 +23,8 @@ inline Quad round_off(Quad x) {
   return (x + no_room) - no_room;
 }
 
-template <class Number>
-Number smaller(Number a, Number b) {
-  return b < a ? b : a;
-}
-inline double smallest(Quad x) { return smaller(smaller(x[0], x[1]), smaller(x[2], x[3])); }
-inline long long smallest(WholeQuad x) { return smaller(smaller(x[0], x[1]), smaller(x[2], x[3])); }
+inline double smallest(Quad x) { return std::min({x[0], x[1], x[2], x[3]}); }
+inline long long smallest(WholeQuad x) { return std::min({x[0], x[1], x[2], x[3]}); }
 
 inline Quad read_quad(const double* numbers) {
   Quad quad;

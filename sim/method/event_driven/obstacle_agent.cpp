@@ -1,5 +1,6 @@
 #include "sim/method/event_driven/obstacle_agent.hpp"
 
+#include "sim/method/event_driven/bounce.hpp"
 #include "sim/physics/obstacle_flight.hpp"
 
 namespace sandglass::event_driven {
@@ -18,10 +19,7 @@ double ObstacleAgent<D>::delay(const Guest<D>& guest, double) const {
 template <int D>
 bool ObstacleAgent<D>::act(Guest<D>& guest, double, Random& random) {
   const Vector<D> normal = (guest.position - centre_).normalized();
-  WallRule rule = rule_;
-  if (guest.guarded) rule.surface.normal = {1, 0};
-  reflect<D>(rule, normal, Vector<D>::Zero(), guest.mass, guest.radius, guest.inertia, guest.velocity,
-             guest.spin, random);
+  bounce<D>(rule_, normal, Vector<D>::Zero(), guest, random);
   return true;
 }
 

@@ -1,5 +1,7 @@
 #include "sim/method/event_driven/wall_agent.hpp"
 
+#include "sim/method/event_driven/bounce.hpp"
+
 namespace sandglass::event_driven {
 
 template <int D>
@@ -33,10 +35,7 @@ bool WallAgent<D>::act(Guest<D>& guest, double now, Random& random) {
   const Vector<D> normal = inward_ * Vector<D>::Unit(place_.axis);
   Vector<D> surface = place_.velocity;
   surface[place_.axis] = inward_ * motion_.velocity_at(now);
-  WallRule rule = rule_;
-  if (guest.guarded) rule.surface.normal = {1, 0};
-  reflect<D>(rule, normal, surface, guest.mass, guest.radius, guest.inertia, guest.velocity, guest.spin,
-             random);
+  bounce<D>(rule_, normal, surface, guest, random);
   return true;
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sim/method/event_driven/agent.hpp"
+#include "sim/physics/wall.hpp"
+
+namespace sandglass::event_driven {
+
+/// A particle meets a wall or an obstacle whose surface moves with `surface`; `normal` points into the gas. The TC model
+/// makes the contact elastic.
+template <int D>
+void bounce(WallRule rule, const Vector<D>& normal, const Vector<D>& surface, Guest<D>& guest,
+            Random& random) {
+  if (guest.guarded) rule.surface.normal = {1, 0};
+  reflect<D>(rule, normal, surface, {guest.velocity, guest.spin, guest.mass, guest.radius, guest.inertia},
+             random);
+}
+
+}  // namespace sandglass::event_driven
