@@ -41,10 +41,12 @@ ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const S
     plane += needs_of(setup.observers[i]).plane ? 1 : 0;
   }
   if (scene_.output.trajectory && streams.replica == 0) frames_.emplace(*scene_.output.trajectory);
-  if (state != nullptr)
-    load(*state);
-  else
-    start();
+  try {
+    state == nullptr ? start() : load(*state);
+  } catch (const std::out_of_range&) {
+    throw InputError(
+        "the checkpoint lacks part of the state, as one of another version does; run its scene again");
+  }
 }
 
 template <int D>
