@@ -52,7 +52,7 @@ void moves(benchmark::State& state, Feature feature) {
   const double rate = std::sqrt(2.0) * kPerCell * parameters.cross_section * mean_speed;
   const double dt = 2 * kCollisionsPerMove / rate;
 
-  MotionParameters<D> motion;
+  motion::MotionParameters<D> motion;
   std::vector<Plane> planes;
   if (feature.plane)
     planes.emplace_back(0, 0.5 * edge_cells, std::vector<double>{-5, 0, 5}), motion.planes = &planes;

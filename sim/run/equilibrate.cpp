@@ -23,9 +23,7 @@ void equilibrate_monte_carlo(Particles<D>& particles, const Scene& scene, const 
   dsmc::Parameters elastic = setup.parameters;
   elastic.restitution = 1;
   elastic.measure_transfer = false;
-  dsmc::MotionParameters<D> motion = setup.motion;
-  motion.gravity.setZero();
-  dsmc::Dsmc<D> gas(setup.grid, elastic, motion, streams, Purpose::equilibration);
+  dsmc::Dsmc<D> gas(setup.grid, elastic, motion::conserving(setup.motion), streams, Purpose::equilibration);
   gas.assign(particles);
   TimeStepper<D> stepper(scene, setup);
   const double wanted = wanted_collisions(scene, particles.phases.size());

@@ -75,8 +75,8 @@ dsmc::Parameters parameters_of(const Scene& scene) {
 }
 
 template <int D>
-dsmc::MotionParameters<D> motion_of(const Scene& scene) {
-  dsmc::MotionParameters<D> motion;
+motion::MotionParameters<D> motion_of(const Scene& scene) {
+  motion::MotionParameters<D> motion;
   for (std::size_t axis = 0; axis < D; ++axis) {
     motion.walled[axis] = scene.domain.sides[axis][0] == Side::specular;
     if (!scene.gravity.empty()) motion.gravity[static_cast<int>(axis)] = scene.gravity[axis];
@@ -169,7 +169,7 @@ std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>&
     plant(mutation, parameters.faults);
     return std::make_unique<reservoir::Reservoir<D>>(parameters, streams, planes);
   }
-  dsmc::MotionParameters<D> motion = setup.motion;
+  motion::MotionParameters<D> motion = setup.motion;
   motion.planes = planes;
   return std::make_unique<dsmc::Dsmc<D>>(setup.grid, setup.parameters, motion, streams, Purpose::collisions,
                                          scene.output.ids);

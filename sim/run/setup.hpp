@@ -15,7 +15,7 @@ template <int D>
 struct Setup {
   Grid<D> grid;
   dsmc::Parameters parameters;
-  dsmc::MotionParameters<D> motion;
+  motion::MotionParameters<D> motion;
   event_driven::Parameters<D> hard;  ///< of the event-driven method
   std::vector<ObserverSpec> observers;
   std::uint64_t particles;

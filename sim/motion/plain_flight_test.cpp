@@ -1,14 +1,13 @@
-#include "sim/method/dsmc/motion_stage.hpp"
-
 #include "sim/base/error.hpp"
 #include "sim/base/random.hpp"
+#include "sim/motion/motion_stage.hpp"
 #include "sim/space/flight.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace sandglass::dsmc {
+namespace sandglass::motion {
 namespace {
 
 template <int D>
@@ -60,9 +59,9 @@ void expect_flight(const MotionParameters<D>& parameters, double dt) {
   for (std::size_t i = 0; i < store.size(); ++i)
     expected[store.ids()[i]] = fly(store.phases()[i], parameters, dt);
   store.begin_step();
-  const auto motion = make_motion_stage(parameters);
-  motion->advance(store, 0, 700, dt);
-  motion->advance(store, 700, store.size(), dt);
+  const auto motion = make_motion_stage<D>(parameters, box<D>());
+  motion->advance(store, 0, 700, {dt});
+  motion->advance(store, 700, store.size(), {dt});
   store.sort();
   for (std::uint32_t cell = 0; cell < store.grid().size(); ++cell)
     for (std::uint32_t i = store.offsets()[cell]; i < store.offsets()[cell + 1]; ++i) {
@@ -109,10 +108,10 @@ TEST(MotionStage, CountsCrossingsLikeArithmetic) {
   std::vector<Plane> planes{{0, kPlane, {-20, -5, 0, 5, 20}}};
   MotionParameters<2> parameters;
   parameters.planes = &planes;
-  const auto motion = make_motion_stage(parameters);
+  const auto motion = make_motion_stage<2>(parameters, box<2>());
   for (int step = 0; step < kSteps; ++step) {
     store.begin_step();
-    motion->advance(store, 0, store.size(), kDt);
+    motion->advance(store, 0, store.size(), {kDt});
     store.sort();
   }
   EXPECT_GT(up, 30'000);
@@ -134,9 +133,10 @@ TEST(MotionStage, StopsAtWhatIsNotANumber) {
         parameters.walled.fill(walled);
         parameters.gravity[2] = gravity;
         store.begin_step();
-        EXPECT_THROW(make_motion_stage(parameters)->advance(store, 0, store.size(), 0.1), RunError);
+        EXPECT_THROW(make_motion_stage<3>(parameters, box<3>())->advance(store, 0, store.size(), {0.1}),
+                     RunError);
       }
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::motion
