@@ -1,6 +1,5 @@
 #include "sim/base/error.hpp"
-#include "sim/base/random.hpp"
-#include "sim/motion/motion_stage.hpp"
+#include "sim/motion/test_flight.hpp"
 #include "sim/space/flight.hpp"
 
 #include <cmath>
@@ -9,30 +8,6 @@
 
 namespace sandglass::motion {
 namespace {
-
-template <int D>
-Vector<D> box() {
-  return Vector<3>(2.3, 1.7, 4.9).head<D>();
-}
-
-template <int D>
-ParticleStore<D> scattered(double speed, double beyond = 0) {
-  std::array<std::uint32_t, D> cells;
-  cells.fill(5);
-  ParticleStore<D> store(Grid<D>(box<D>(), cells), true);
-  Random random(StreamKey(3, Purpose::positions, 0, 0), 0);
-  std::vector<Phase<D>> particles(2000);
-  for (Phase<D>& particle : particles)
-    for (int axis = 0; axis < D; ++axis) {
-      particle.position[axis] = box<D>()[axis] * random.uniform();
-      particle.velocity[axis] = speed * (2 * random.uniform() - 1);
-    }
-  store.assign(particles);
-  // As offsets do it: without a new sort.
-  for (Phase<D>& particle : store.phases())
-    for (int axis = 0; axis < D; ++axis) particle.position[axis] += beyond * (2 * random.uniform() - 1);
-  return store;
-}
 
 /// The slow twin: each axis by itself with the rules of flight.hpp.
 template <int D>

@@ -18,7 +18,7 @@ struct Proposals {
 };
 
 /// Which moves of a step are refused. What it decides for a particle may depend on the proposals and on (old cell, old
-/// place), which name a random stream (stream_index()), and on nothing else: no order of work, no earlier draw.
+/// place), which name a random stream (stream_index.hpp), and on nothing else: no order of work, no earlier draw.
 template <int D>
 class EntryRule {
  public:

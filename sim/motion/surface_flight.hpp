@@ -3,13 +3,12 @@
 #include "sim/motion/bounded_flight.hpp"
 #include "sim/motion/free_flight.hpp"
 #include "sim/motion/plain_flight.hpp"
+#include "sim/motion/stream_index.hpp"
+
+#include <algorithm>
+#include <span>
 
 namespace sandglass::motion {
-
-/// Names the random stream of a particle within a step: neither processing order nor a decomposition shows.
-inline std::uint64_t stream_index(std::uint32_t cell, std::uint32_t place) {
-  return std::uint64_t{cell} << 32 | place;
-}
 
 /// The flight of one step between walls and obstacles of every kind: free where nothing can be in the way, else from
 /// surface to surface.
