@@ -43,7 +43,7 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
       parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
   collide_and_move({dt, time_, StreamKey(streams_.seed, Purpose::walls, streams_.replica, step)},
                    {key, coefficient, factor_ ? factor_->values() : nullptr, store_.phases().data(),
-                    store_.offsets().data(), &tally_});
+                    store_.offsets().data(), &tally_, &bound_raised_});
   store_.sort();
   time_ += dt;
   tally_.moves += store_.size();
@@ -77,13 +77,20 @@ View<D> Dsmc<D>::view() {
 }
 
 template <int D>
-std::map<std::string, std::vector<double>> Dsmc<D>::save() const {
-  if (!motion_parameters_.walls_move()) return {};
-  return {{"motion/time", {time_}}};
+std::map<std::string, double> Dsmc<D>::counters() const {
+  return {{"bound-raised", static_cast<double>(bound_raised_)}};
 }
 
 template <int D>
-void Dsmc<D>::load(const std::map<std::string, std::vector<double>>& memory) {
+Memory Dsmc<D>::save() const {
+  Memory memory{{"dsmc/bound-raised", {static_cast<double>(bound_raised_)}}};
+  if (motion_parameters_.walls_move()) memory["motion/time"] = {time_};
+  return memory;
+}
+
+template <int D>
+void Dsmc<D>::load(const Memory& memory) {
+  bound_raised_ = static_cast<std::uint64_t>(memory.at("dsmc/bound-raised").at(0));
   if (motion_parameters_.walls_move()) time_ = memory.at("motion/time").at(0);
 }
 

@@ -76,10 +76,10 @@ TEST(DsmcWalls, RestartIsBitwise) {
 
 TEST(DsmcWalls, TimeIsSavedOnlyIfAWallMoves) {
   auto motion = shaken_room<2>();
-  EXPECT_EQ(gas<2>(motion, {}).save().size(), 1u);
+  EXPECT_TRUE(gas<2>(motion, {}).save().contains("motion/time"));
   motion.walls.erase(motion.walls.begin());
   motion.walls.front().velocity.setZero();
-  EXPECT_TRUE(gas<2>(motion, {}).save().empty());
+  EXPECT_FALSE(gas<2>(motion, {}).save().contains("motion/time"));
 }
 
 }  // namespace
