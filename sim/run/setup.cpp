@@ -77,6 +77,7 @@ dsmc::Parameters parameters_of(const Scene& scene) {
 template <int D>
 motion::MotionParameters<D> motion_of(const Scene& scene) {
   motion::MotionParameters<D> motion;
+  motion.mass = scene.species.front().mass;
   for (std::size_t axis = 0; axis < D; ++axis) {
     motion.walled[axis] = scene.domain.sides[axis][0] == Side::specular;
     if (!scene.gravity.empty()) motion.gravity[static_cast<int>(axis)] = scene.gravity[axis];
