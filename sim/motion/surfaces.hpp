@@ -12,7 +12,7 @@ struct WallSurface {
   explicit WallSurface(const WallPlace<D>& place);
 
   /// Of a point above the plane; negative behind it.
-  double height(const Vector<D>& x, double time) const { return inward * x[place.axis] - motion.at(time); }
+  double height(const Vector<D>& x, double time) const { return inward * x[place.axis] - along(time); }
   Vector<D> normal() const { return inward * Vector<D>::Unit(place.axis); }
   Vector<D> velocity_at(double time) const {
     Vector<D> velocity = place.velocity;
@@ -20,13 +20,16 @@ struct WallSurface {
     return velocity;
   }
   /// Coordinate along the axis of the plane.
-  double at(double time) const { return inward * motion.at(time); }
+  double at(double time) const { return inward * along(time); }
   /// A coordinate that the plane does not pass from its outer side during a step: all that lies farther in is free.
   double reach(double time, double dt) const;
 
   WallPlace<D> place;
   double inward;       ///< +1 at a low side, -1 at a high one
   PlaneMotion motion;  ///< along the inward normal
+
+ private:
+  double along(double time) const { return place.moves() ? motion.at(time) : motion.position; }
 };
 
 /// Walls and obstacles of every kind, ready for the flight between them.

@@ -42,7 +42,7 @@ class BallIndex {
       const std::size_t number = number_of(cell);
       for (std::uint32_t entry = offset_[number]; entry < offset_[number + 1]; ++entry) {
         const std::uint32_t i = entries_[entry];
-        if (is_first(cell, from, balls_[i]) && touches(balls_[i], low, high) && !function(i)) return;
+        if (touches(balls_[i], low, high) && is_first(cell, from, balls_[i]) && !function(i)) return;
       }
       if (!advance(cell, from, to)) return;
     }
