@@ -103,25 +103,14 @@ void BoundedFlight<D>::look_for_seams(const Phase<D>& particle, Event& first) co
   }
 }
 
-/// A ball that bounces ever lower would take the last digits of its place for a height to fall from.
 template <int D>
 void BoundedFlight<D>::look_for_walls(const Phase<D>& particle, double time, Event& first) const {
   for (std::size_t i = 0; i < surfaces_.walls.size(); ++i) {
     const WallSurface<D>& wall = surfaces_.walls[i];
     const int axis = wall.place.axis;
-    const double height = wall.height(particle.position, time);
-    const double rounding = 4e-16 * (std::fabs(particle.position[axis]) + std::fabs(wall.at(time)));
-    const Arc arc{std::fabs(height) <= rounding ? 0 : height, wall.inward * particle.velocity[axis],
+    const Arc arc{wall.height(particle.position, time), wall.inward * particle.velocity[axis],
                   wall.inward * gravity_[axis]};
-    double delay;
-    if (wall.place.moves()) {
-      PlaneMotion motion = wall.motion.from(time);
-      const double vibration = motion.amplitude * std::sin(motion.phase);
-      motion.position = -vibration;  // so that the plane stands at zero now
-      delay = time_to_plane(arc, motion);
-    } else {
-      delay = time_to_fall(arc);
-    }
+    const double delay = wall.place.moves() ? time_to_plane(arc, wall.from_now(time)) : time_to_fall(arc);
     if (delay < first.delay) first = {Event::Kind::wall, delay, i};
   }
 }

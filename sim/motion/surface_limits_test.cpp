@@ -70,9 +70,27 @@ void expect_put_back() {
   EXPECT_LT((store.phases()[0].position - (surface + 0.02 * normal)).norm(), 1e-14);
   EXPECT_NEAR(store.phases()[1].position[D - 1], box<D>()[D - 1] - 0.01, 1e-14);
 }
+/// Not by the last digit inside.
+template <int D>
+void expect_on_the_surface() {
+  MotionParameters<D> parameters;
+  parameters.obstacles = {some_obstacles<D>()[1]};
+  const auto& [centre, radius, rule] = parameters.obstacles[0];
+  auto store = scattered<D>(0);
+  Random random(StreamKey(6, Purpose::positions, 0, 0), 0);
+  for (Phase<D>& particle : store.phases())
+    particle.position = centre + 0.5 * radius * (2 * random_vector<D>(random) - Vector<D>::Ones());
+  advance(*make_motion_stage<D>(parameters, box<D>()), store, {0.01});
+  for (const Phase<D>& particle : store.phases()) {
+    ASSERT_GE((particle.position - centre).norm(), radius);
+    ASSERT_LT((particle.position - centre).norm(), radius * (1 + 1e-14));
+  }
+}
 TEST(SurfaceFlight, PutsBackWhatOffsetsHaveDisplaced) {
   expect_put_back<2>();
   expect_put_back<3>();
+  expect_on_the_surface<2>();
+  expect_on_the_surface<3>();
 }
 
 /// Infinitely many bounces in a finite time, on a floor and on top of an obstacle: it comes to rest there, and what it does

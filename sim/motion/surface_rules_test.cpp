@@ -184,6 +184,24 @@ TEST(ObstacleRules, FallingBallComesBack) {
   expect_fall<3>();
 }
 
+/// Thrown up from below, a ball meets the obstacle on a path that begins and ends lower: it hits at the height 0.1 after
+/// sqrt(0.25) - sqrt(0.05).
+template <int D>
+void expect_throw() {
+  MotionParameters<D> parameters;
+  parameters.gravity[1] = -1;
+  parameters.obstacles = {{Vector<D>::Constant(1), 0.4, {}}};
+  const Vector<D> up = Vector<D>::Unit(1), start = Vector<D>::Constant(1) - 0.5 * up;
+  const auto end = after<D>(parameters, {{start, 0.5 * up}}, {1});
+  const double speed = std::sqrt(0.05), rest = 1 - (0.5 - speed);
+  EXPECT_LT((end[0].velocity + (speed + rest) * up).norm(), 1e-14);
+  EXPECT_LT((end[0].position - (start + (0.1 - rest * (speed + rest / 2)) * up)).norm(), 1e-14);
+}
+TEST(ObstacleRules, ArcMeetsWhatItsChordPasses) {
+  expect_throw<2>();
+  expect_throw<3>();
+}
+
 /// Between elastic surfaces at rest the energy of every particle stays, gravity included.
 template <int D>
 void expect_energy() {

@@ -4,6 +4,8 @@
 #include "sim/physics/wall_motion.hpp"
 #include "sim/space/ball_index.hpp"
 
+#include <cmath>
+
 namespace sandglass::motion {
 
 /// A wall as the flight needs it: along its inward normal.
@@ -21,6 +23,12 @@ struct WallSurface {
   }
   /// Coordinate along the axis of the plane.
   double at(double time) const { return inward * along(time); }
+  /// The motion with time counted from `time` and place from where the plane stands then.
+  PlaneMotion from_now(double time) const {
+    PlaneMotion now = motion.from(time);
+    now.position = -now.amplitude * std::sin(now.phase);
+    return now;
+  }
   /// A coordinate that the plane does not pass from its outer side during a step: all that lies farther in is free.
   double reach(double time, double dt) const;
 
