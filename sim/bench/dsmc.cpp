@@ -16,6 +16,7 @@ constexpr double kCollisionsPerMove = 0.06;
 
 struct Feature {
   bool factor = false, gravity = false, walls = false, ids = false, transfer = false, plane = false;
+  bool thermal = false, obstacles = false;
   Offset offset{};
 };
 
@@ -52,12 +53,17 @@ void moves(benchmark::State& state, Feature feature) {
   const double rate = std::sqrt(2.0) * kPerCell * parameters.cross_section * mean_speed;
   const double dt = 2 * kCollisionsPerMove / rate;
 
-  MotionParameters<D> motion;
+  motion::MotionParameters<D> motion;
   std::vector<Plane> planes;
   if (feature.plane)
     planes.emplace_back(0, 0.5 * edge_cells, std::vector<double>{-5, 0, 5}), motion.planes = &planes;
   if (feature.gravity) motion.gravity[D - 1] = -1e-4;
   if (feature.walls) motion.walled[D - 1] = true;
+  if (feature.thermal) motion.walls = {{D - 1, false, 0, Vector<D>::Zero(), 0, 0, {WallKind::thermal}}};
+  // One obstacle for ten cells.
+  if (feature.obstacles)
+    for (const Phase<D>& place : gas<D>(count / 100, edge_cells - 1.0))
+      motion.obstacles.push_back({place.position + Vector<D>::Constant(0.5), 0.2, {}});
   if (feature.factor) parameters.factor.formula = contact_formula(D);
   parameters.offset = {feature.offset.consistent * parameters.diameter,
                        feature.offset.random * parameters.diameter};
@@ -95,6 +101,8 @@ void register_features(const std::string& prefix) {
   add("offset_random", {.offset = {1, 0.5}}, one);
   add("gravity_between_walls", {.gravity = true, .walls = true}, one);
   add("walls", {.walls = true}, one);
+  add("thermal_walls", {.walls = true, .thermal = true}, one);
+  add("obstacles", {.obstacles = true}, one);
   add("ids", {.ids = true}, one);
   add("plane", {.plane = true}, one);
 }

@@ -7,7 +7,7 @@ namespace {
 constexpr std::uint32_t kBlock = 512;
 
 template <int D>
-std::array<bool, D> periodic_axes(const MotionParameters<D>& motion) {
+std::array<bool, D> periodic_axes(const motion::MotionParameters<D>& motion) {
   std::array<bool, D> periodic{};
   for (std::size_t axis = 0; axis < D; ++axis) periodic[axis] = !motion.walled[axis];
   return periodic;
@@ -15,7 +15,7 @@ std::array<bool, D> periodic_axes(const MotionParameters<D>& motion) {
 }  // namespace
 
 template <int D>
-Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion,
+Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::MotionParameters<D>& motion,
               const Streams& streams, Purpose purpose, bool keep_ids)
     : parameters_(parameters),
       streams_(streams),
@@ -24,11 +24,12 @@ Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionPar
       store_(grid, keep_ids),
       collisions_(parameters.faults.any() ? make_faulty_collision_stage<D>(parameters)
                                           : make_collision_stage<D>(parameters)),
-      motion_(make_motion_stage<D>(motion)) {}
+      motion_(motion::make_motion_stage<D>(motion, grid.box())) {}
 
 template <int D>
 void Dsmc<D>::assign(const Particles<D>& particles) {
   store_.assign(particles.phases, particles.ids);
+  time_ = 0;
   if (parameters_.factor.formula != nullptr)
     factor_.emplace(parameters_, store_.grid(), periodic_axes(motion_parameters_),
                     static_cast<double>(particles.phases.size()));
@@ -40,14 +41,16 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
   if (factor_) factor_->update(store_.offsets());
   const double coefficient =
       parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
-  collide_and_move(dt, {key, coefficient, factor_ ? factor_->values() : nullptr, store_.phases().data(),
-                        store_.offsets().data(), &tally_, &bound_raised_});
+  collide_and_move({dt, time_, StreamKey(streams_.seed, Purpose::walls, streams_.replica, step)},
+                   {key, coefficient, factor_ ? factor_->values() : nullptr, store_.phases().data(),
+                    store_.offsets().data(), &tally_, &bound_raised_});
   store_.sort();
+  time_ += dt;
   tally_.moves += store_.size();
 }
 
 template <int D>
-void Dsmc<D>::collide_and_move(double dt, const CollisionStep<D>& collisions) {
+void Dsmc<D>::collide_and_move(const motion::MotionStep& motion, const CollisionStep<D>& collisions) {
   const auto offsets = store_.offsets();
   const auto cells = static_cast<std::uint32_t>(offsets.size() - 1);
   store_.begin_step();
@@ -55,7 +58,7 @@ void Dsmc<D>::collide_and_move(double dt, const CollisionStep<D>& collisions) {
     std::uint32_t last = first + 1;
     while (last < cells && offsets[last] - offsets[first] < kBlock) ++last;
     collisions_->collide(collisions, first, last);
-    motion_->advance(store_, offsets[first], offsets[last], dt);
+    motion_->advance(store_, offsets[first], offsets[last], motion);
     first = last;
   }
 }
@@ -80,12 +83,15 @@ std::map<std::string, double> Dsmc<D>::counters() const {
 
 template <int D>
 Memory Dsmc<D>::save() const {
-  return {{"dsmc/bound-raised", {static_cast<double>(bound_raised_)}}};
+  Memory memory{{"dsmc/bound-raised", {static_cast<double>(bound_raised_)}}};
+  if (motion_parameters_.walls_move()) memory["motion/time"] = {time_};
+  return memory;
 }
 
 template <int D>
 void Dsmc<D>::load(const Memory& memory) {
   bound_raised_ = static_cast<std::uint64_t>(memory.at("dsmc/bound-raised").at(0));
+  if (motion_parameters_.walls_move()) time_ = memory.at("motion/time").at(0);
 }
 
 template <int D>

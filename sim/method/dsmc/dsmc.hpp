@@ -2,8 +2,8 @@
 
 #include "sim/method/dsmc/collision_stage.hpp"
 #include "sim/method/dsmc/local_factor.hpp"
-#include "sim/method/dsmc/motion_stage.hpp"
 #include "sim/method/simulator.hpp"
+#include "sim/motion/motion_stage.hpp"
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@ template <int D>
 class Dsmc final : public Simulator<D> {
  public:
   /// `purpose` names the streams of the collisions; ids are kept only if asked for.
-  Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion,
+  Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::MotionParameters<D>& motion,
        const Streams& streams, Purpose purpose = Purpose::collisions, bool keep_ids = false);
 
   void assign(const Particles<D>& particles) override;
@@ -31,15 +31,16 @@ class Dsmc final : public Simulator<D> {
   std::size_t bytes() const override;
 
  private:
-  void collide_and_move(double dt, const CollisionStep<D>& collisions);
+  void collide_and_move(const motion::MotionStep& motion, const CollisionStep<D>& collisions);
 
   Parameters parameters_;
   Streams streams_;
   Purpose purpose_;
-  MotionParameters<D> motion_parameters_;
+  motion::MotionParameters<D> motion_parameters_;
   ParticleStore<D> store_;
   std::unique_ptr<CollisionStage<D>> collisions_;
-  std::unique_ptr<MotionStage<D>> motion_;
+  std::unique_ptr<motion::MotionStage<D>> motion_;
+  double time_ = 0;  ///< since assign(): moving walls ask
   std::optional<LocalContactFactor<D>> factor_;
   Tally tally_;
   std::uint64_t bound_raised_ = 0;
