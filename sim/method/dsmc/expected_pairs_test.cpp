@@ -134,7 +134,7 @@ void expect_bias_and_its_cure(double fraction, double per_cell) {
       "collisional pressure %+.4f and %+.4f\n",
       D, fraction, per_cell, counted.rate.value, -deficit, expected.rate.value, expected.rate.standard_error,
       counted.pressure, expected.pressure);
-  EXPECT_NEAR(-counted.rate.value, deficit, 0.1 * deficit + 0.003);
+  EXPECT_NEAR(-counted.rate.value, deficit, 0.1 * deficit + 0.004);
   EXPECT_LT(expected.rate.standard_error, 0.002);
   EXPECT_NEAR(expected.rate.value, 0, 0.003 + 4.5 * expected.rate.standard_error);
   EXPECT_LT(std::abs(expected.pressure), 0.016);
@@ -165,9 +165,9 @@ TEST(PairDeficit, DefaultKeepsItBelowOnePercent) {
     const Parameters parameters = gas_with_offset<3>(fraction, 1);
     const double density = fraction / particle_volume(3, 1);
     const double particles = default_particles_per_cell(3, parameters, density);
-    EXPECT_LE(expected_pair_deficit(3, parameters, density, particles), 0.01);
+    EXPECT_LE(expected_pair_deficit(3, parameters, density, particles), 0.008);
     if (particles > 10) {
-      EXPECT_GT(expected_pair_deficit(3, parameters, density, particles - 1), 0.01);
+      EXPECT_GT(expected_pair_deficit(3, parameters, density, particles - 1), 0.008);
     }
   }
 }

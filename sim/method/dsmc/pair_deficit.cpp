@@ -8,7 +8,7 @@
 namespace sandglass::dsmc {
 
 namespace {
-constexpr double kLargestDeficit = 0.01, kFewest = 10, kMost = 1000;
+constexpr double kLargestDeficit = 0.008, kFewest = 10, kMost = 1000;
 
 struct Gas {
   int dimension;
