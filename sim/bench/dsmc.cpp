@@ -15,8 +15,8 @@ constexpr double kPerCell = 10;
 constexpr double kCollisionsPerMove = 0.06;
 
 struct Feature {
-  bool factor = false, gravity = false, walls = false, ids = false, transfer = false, plane = false;
-  bool thermal = false, obstacles = false;
+  bool factor = false, expected = false, gravity = false, walls = false, ids = false, transfer = false;
+  bool plane = false, thermal = false, obstacles = false;
   Offset offset{};
 };
 
@@ -65,6 +65,7 @@ void moves(benchmark::State& state, Feature feature) {
     for (const Phase<D>& place : gas<D>(count / 100, edge_cells - 1.0))
       motion.obstacles.push_back({place.position + Vector<D>::Constant(0.5), 0.2, {}});
   if (feature.factor) parameters.factor.formula = contact_formula(D);
+  if (feature.expected) parameters.pair_count = PairCount::expected;
   parameters.offset = {feature.offset.consistent * parameters.diameter,
                        feature.offset.random * parameters.diameter};
   motion.offsets = parameters.offset.any();
@@ -98,6 +99,7 @@ void register_features(const std::string& prefix) {
   add("contact_factor", {.factor = true}, one);
   add("offset", {.offset = {1, 0}}, one);
   add("offset_measured", {.transfer = true, .offset = {1, 0}}, one);
+  add("offset_expected_pairs", {.expected = true, .offset = {1, 0}}, one);
   add("offset_random", {.offset = {1, 0.5}}, one);
   add("gravity_between_walls", {.gravity = true, .walls = true}, one);
   add("walls", {.walls = true}, one);

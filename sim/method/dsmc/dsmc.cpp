@@ -24,13 +24,14 @@ Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::M
       store_(grid, keep_ids),
       collisions_(parameters.faults.any() ? make_faulty_collision_stage<D>(parameters)
                                           : make_collision_stage<D>(parameters)),
-      motion_(motion::make_motion_stage<D>(motion, grid.box())) {}
+      motion_(motion::make_motion_stage<D>(motion, grid.box())),
+      stages_(grid, periodic_axes(motion)) {}
 
 template <int D>
 void Dsmc<D>::assign(const Particles<D>& particles) {
   store_.assign(particles.phases, particles.ids);
   time_ = 0;
-  if (parameters_.factor.formula != nullptr)
+  if (PairFactor<D>::needed(parameters_))
     factor_.emplace(parameters_, store_.grid(), periodic_axes(motion_parameters_),
                     static_cast<double>(particles.phases.size()));
 }
@@ -38,15 +39,26 @@ void Dsmc<D>::assign(const Particles<D>& particles) {
 template <int D>
 void Dsmc<D>::step(double dt, std::uint64_t step) {
   const StreamKey key(streams_.seed, purpose_, streams_.replica, step);
+  stages_.apply(store_, key, dt);
   if (factor_) factor_->update(store_.offsets());
-  const double coefficient =
-      parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
   collide_and_move({dt, time_, StreamKey(streams_.seed, Purpose::walls, streams_.replica, step)},
-                   {key, coefficient, factor_ ? factor_->values() : nullptr, store_.phases().data(),
-                    store_.offsets().data(), &tally_, &bound_raised_});
+                   collision_step(dt, key));
   store_.sort();
   time_ += dt;
   tally_.moves += store_.size();
+}
+
+template <int D>
+CollisionStep<D> Dsmc<D>::collision_step(double dt, const StreamKey& key) {
+  const double coefficient =
+      parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
+  return {key,
+          coefficient,
+          factor_ ? factor_->values() : nullptr,
+          store_.phases().data(),
+          store_.offsets().data(),
+          &tally_,
+          &bound_raised_};
 }
 
 template <int D>
@@ -96,7 +108,7 @@ void Dsmc<D>::load(const Memory& memory) {
 
 template <int D>
 std::size_t Dsmc<D>::bytes() const {
-  return store_.bytes() + (factor_ ? factor_->bytes() : 0);
+  return store_.bytes() + stages_.bytes() + (factor_ ? factor_->bytes() : 0);
 }
 
 template class Dsmc<2>;

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "sim/method/dsmc/cell_stage.hpp"
 #include "sim/method/dsmc/collision_stage.hpp"
-#include "sim/method/dsmc/local_factor.hpp"
+#include "sim/method/dsmc/pair_factor.hpp"
 #include "sim/method/simulator.hpp"
 #include "sim/motion/motion_stage.hpp"
 
@@ -10,14 +11,17 @@
 
 namespace sandglass::dsmc {
 
-/// Direct simulation Monte Carlo and its dense-gas variants in D dimensions. A step collides the particles of each cell,
-/// moves them, and sorts them into the cells where they arrive.
+/// Direct simulation Monte Carlo and its dense-gas variants in D dimensions. A step works on whole cells where a
+/// stage asks for it, collides the particles of each cell, moves them, and sorts them into the cells where they arrive.
 template <int D>
 class Dsmc final : public Simulator<D> {
  public:
   /// `purpose` names the streams of the collisions; ids are kept only if asked for.
   Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::MotionParameters<D>& motion,
        const Streams& streams, Purpose purpose = Purpose::collisions, bool keep_ids = false);
+
+  /// A stage on whole cells at the start of every step, after those added before.
+  void add(std::unique_ptr<CellStage<D>> stage) { stages_.add(std::move(stage)); }
 
   void assign(const Particles<D>& particles) override;
   void step(double dt, std::uint64_t step) override;
@@ -31,6 +35,7 @@ class Dsmc final : public Simulator<D> {
   std::size_t bytes() const override;
 
  private:
+  CollisionStep<D> collision_step(double dt, const StreamKey& key);
   void collide_and_move(const motion::MotionStep& motion, const CollisionStep<D>& collisions);
 
   Parameters parameters_;
@@ -41,7 +46,8 @@ class Dsmc final : public Simulator<D> {
   std::unique_ptr<CollisionStage<D>> collisions_;
   std::unique_ptr<motion::MotionStage<D>> motion_;
   double time_ = 0;  ///< since assign(): moving walls ask
-  std::optional<LocalContactFactor<D>> factor_;
+  std::optional<PairFactor<D>> factor_;
+  CellStages<D> stages_;
   Tally tally_;
   std::uint64_t bound_raised_ = 0;
 };

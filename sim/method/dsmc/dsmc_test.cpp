@@ -129,6 +129,7 @@ TEST(Dsmc, GoesOnBitwiseFromItsParticles) {
   Parameters parameters = gas(3);
   parameters.factor.formula = carnahan_starling;
   parameters.offset = {0.2, 0.1};
+  parameters.pair_count = PairCount::expected;
   Dsmc<3> dsmc = simulation<3>(parameters), resumed = simulation<3>(parameters);
   for (std::uint64_t step = 0; step < 10; ++step) dsmc.step(0.1, step);
   const auto half_way = dsmc.view().particles;
