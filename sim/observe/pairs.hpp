@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/space/grid.hpp"
-#include "sim/space/particle_store.hpp"
+#include "sim/space/phase.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -81,7 +81,7 @@ void equilibrate_hard(Particles<D>& particles, const Scene& scene, const Setup<D
   const Setup<D> elastic = elastic_setup(setup);
   const auto gas = event_driven::make_event_driven<D>(
       elastic.hard, make_agents<D>(elastic_scene(scene), elastic, nullptr), streams);
-  gas->assign({particles.phases, {}, particles.species, {}});
+  gas->assign(particles);
   const double dt = kFreeTimes / enskog_rate(scene, scene.initial.temperature);
   const double wanted = wanted_collisions(scene, particles.phases.size());
   if (!std::isfinite(dt)) refuse_standstill(0);

@@ -171,8 +171,10 @@ std::unique_ptr<Simulator<D>> make_simulator(const Scene& scene, const Setup<D>&
   }
   dsmc::MotionParameters<D> motion = setup.motion;
   motion.planes = planes;
+  std::vector<ColumnInfo> columns;
+  if (scene.output.ids) columns.push_back(column::id);
   return std::make_unique<dsmc::Dsmc<D>>(setup.grid, setup.parameters, motion, streams, Purpose::collisions,
-                                         scene.output.ids);
+                                         columns);
 }
 
 template Setup<2> set_up<2>(const Scene&, const Mutation&);

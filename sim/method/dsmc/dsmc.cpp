@@ -16,22 +16,41 @@ std::array<bool, D> periodic_axes(const MotionParameters<D>& motion) {
 
 template <int D>
 Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion,
-              const Streams& streams, Purpose purpose, bool keep_ids)
+              const Streams& streams, Purpose purpose, const std::vector<ColumnInfo>& columns)
     : parameters_(parameters),
+      traits_{parameters.diameter, parameters.mass},
       streams_(streams),
       purpose_(purpose),
       motion_parameters_(motion),
-      store_(grid, keep_ids),
+      store_(grid, columns),
       collisions_(parameters.faults.any() ? make_faulty_collision_stage<D>(parameters)
                                           : make_collision_stage<D>(parameters)),
       motion_(make_motion_stage<D>(motion)) {}
 
 template <int D>
 void Dsmc<D>::assign(const Particles<D>& particles) {
-  store_.assign(particles.phases, particles.ids);
+  store_.assign(particles);
+  make_factor(static_cast<double>(particles.phases.size()));
+}
+
+template <int D>
+void Dsmc<D>::make_factor(double particles) {
+  assigned_ = particles;
   if (parameters_.factor.formula != nullptr)
-    factor_.emplace(parameters_, store_.grid(), periodic_axes(motion_parameters_),
-                    static_cast<double>(particles.phases.size()));
+    factor_.emplace(parameters_, store_.grid(), periodic_axes(motion_parameters_), particles);
+}
+
+template <int D>
+void Dsmc<D>::insert(const Particles<D>& particles) {
+  store_.insert(particles);
+  store_.stay();
+  store_.sort();
+}
+
+template <int D>
+void Dsmc<D>::remove(std::span<const std::uint32_t> places) {
+  store_.stay(places);
+  store_.sort();
 }
 
 template <int D>
@@ -42,8 +61,8 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
       parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
   collide_and_move(dt, {key, coefficient, factor_ ? factor_->values() : nullptr, store_.phases().data(),
                         store_.offsets().data(), &tally_, &bound_raised_});
-  store_.sort();
   tally_.moves += store_.size();
+  store_.sort();
 }
 
 template <int D>
@@ -66,7 +85,8 @@ View<D> Dsmc<D>::view() {
   view.particles = store_.phases();
   view.offsets = store_.offsets();
   view.box = store_.grid().box();
-  view.mass = parameters_.mass;
+  view.columns = store_.columns();
+  view.traits = {&traits_, 1};
   view.weight = parameters_.weight;
   view.tally = &tally_;
   view.planes = motion_parameters_.planes;
@@ -80,12 +100,17 @@ std::map<std::string, double> Dsmc<D>::counters() const {
 
 template <int D>
 Memory Dsmc<D>::save() const {
-  return {{"dsmc/bound-raised", {static_cast<double>(bound_raised_)}}};
+  return {{"dsmc/bound-raised", {static_cast<double>(bound_raised_)}},
+          {"dsmc/population", {assigned_, static_cast<double>(store_.next_id())}}};
 }
 
 template <int D>
 void Dsmc<D>::load(const Memory& memory) {
   bound_raised_ = static_cast<std::uint64_t>(memory.at("dsmc/bound-raised").at(0));
+  const auto population = memory.find("dsmc/population");
+  if (population == memory.end()) return;  // written before the number of particles could change
+  if (population->second.at(0) != assigned_) make_factor(population->second.at(0));
+  store_.set_next_id(static_cast<std::uint64_t>(population->second.at(1)));
 }
 
 template <int D>

@@ -15,15 +15,18 @@ namespace sandglass::dsmc {
 template <int D>
 class Dsmc final : public Simulator<D> {
  public:
-  /// `purpose` names the streams of the collisions; ids are kept only if asked for.
+  /// `purpose` names the streams of the collisions; of `columns` (docs/particle-columns.md) only those exist that are named.
   Dsmc(const Grid<D>& grid, const Parameters& parameters, const MotionParameters<D>& motion,
-       const Streams& streams, Purpose purpose = Purpose::collisions, bool keep_ids = false);
+       const Streams& streams, Purpose purpose = Purpose::collisions,
+       const std::vector<ColumnInfo>& columns = {});
 
   void assign(const Particles<D>& particles) override;
   void step(double dt, std::uint64_t step) override;
   View<D> view() override;
   std::span<const std::uint64_t> ids() const override { return store_.ids(); }
   std::uint64_t size() const override { return store_.size(); }
+  void insert(const Particles<D>& particles) override;
+  void remove(std::span<const std::uint32_t> places) override;
   Tally& tally() override { return tally_; }
   std::map<std::string, double> counters() const override;
   Memory save() const override;
@@ -31,9 +34,11 @@ class Dsmc final : public Simulator<D> {
   std::size_t bytes() const override;
 
  private:
+  void make_factor(double particles);
   void collide_and_move(double dt, const CollisionStep<D>& collisions);
 
   Parameters parameters_;
+  SpeciesTraits traits_;
   Streams streams_;
   Purpose purpose_;
   MotionParameters<D> motion_parameters_;
@@ -41,6 +46,7 @@ class Dsmc final : public Simulator<D> {
   std::unique_ptr<CollisionStage<D>> collisions_;
   std::unique_ptr<MotionStage<D>> motion_;
   std::optional<LocalContactFactor<D>> factor_;
+  double assigned_ = 0;  ///< particles that the window of the contact factor was chosen for
   Tally tally_;
   std::uint64_t bound_raised_ = 0;
 };

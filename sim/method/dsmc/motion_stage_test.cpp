@@ -20,7 +20,7 @@ template <int D>
 ParticleStore<D> scattered(double speed, double beyond = 0) {
   std::array<std::uint32_t, D> cells;
   cells.fill(5);
-  ParticleStore<D> store(Grid<D>(box<D>(), cells), true);
+  ParticleStore<D> store(Grid<D>(box<D>(), cells), {column::id});
   Random random(StreamKey(3, Purpose::positions, 0, 0), 0);
   std::vector<Phase<D>> particles(2000);
   for (Phase<D>& particle : particles)
@@ -28,7 +28,7 @@ ParticleStore<D> scattered(double speed, double beyond = 0) {
       particle.position[axis] = box<D>()[axis] * random.uniform();
       particle.velocity[axis] = speed * (2 * random.uniform() - 1);
     }
-  store.assign(particles);
+  store.assign({particles, {}});
   // As offsets do it: without a new sort.
   for (Phase<D>& particle : store.phases())
     for (int axis = 0; axis < D; ++axis) particle.position[axis] += beyond * (2 * random.uniform() - 1);
