@@ -4,9 +4,23 @@
 #include "sim/record/schema/quantity.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace sandglass::schema {
 namespace {
+
+/// Calls `use` with the type that holds such numbers, as a std::type_identity.
+template <class Use>
+void with_type(Number number, Use use) {
+  switch (number) {
+    case Number::byte:
+      return use(std::type_identity<std::uint8_t>());
+    case Number::whole:
+      return use(std::type_identity<std::uint64_t>());
+    case Number::real:
+      return use(std::type_identity<double>());
+  }
+}
 
 template <class T>
 constexpr T no_number_of() {
@@ -65,14 +79,8 @@ std::vector<ColumnInfo> columns_of(std::span<const Frame> frames) {
 void write_column(const hdf5::Writer& element, const ColumnInfo& info, std::span<const Frame> frames,
                   std::size_t most) {
   element.attribute(names::units, info.units);
-  switch (info.number) {
-    case Number::byte:
-      return write_numbers<std::uint8_t>(element, info, frames, most);
-    case Number::whole:
-      return write_numbers<std::uint64_t>(element, info, frames, most);
-    case Number::real:
-      return write_numbers<double>(element, info, frames, most);
-  }
+  with_type(info.number,
+            [&]<class T>(std::type_identity<T>) { write_numbers<T>(element, info, frames, most); });
 }
 
 std::vector<std::string> column_links(const hdf5::Reader& group) {
@@ -89,14 +97,7 @@ void read_column(const hdf5::Reader& group, const std::string& link, std::span<c
   const hdf5::Reader element = group.group(link);
   const Number number = element.number_of(names::value);
   const ColumnInfo info{name_of_link(link), element.word(names::units), number, 1, false, 0};
-  switch (number) {
-    case Number::byte:
-      return read_numbers<std::uint8_t>(element, info, counts, frames);
-    case Number::whole:
-      return read_numbers<std::uint64_t>(element, info, counts, frames);
-    case Number::real:
-      return read_numbers<double>(element, info, counts, frames);
-  }
+  with_type(number, [&]<class T>(std::type_identity<T>) { read_numbers<T>(element, info, counts, frames); });
 }
 
 }  // namespace sandglass::schema
