@@ -32,9 +32,10 @@ template <int D>
 void expect_exact(const Scene& scene, const Particles<D>& particles, double temperature) {
   Vector<D> momentum = Vector<D>::Zero();
   double energy = 0;
+  const auto species = particles.columns.get(column::species);
   const std::size_t count = particles.phases.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const double mass = scene.species[particles.species[i]].mass;
+    const double mass = scene.species[species[i]].mass;
     momentum += mass * particles.phases[i].velocity;
     energy += mass * particles.phases[i].velocity.squaredNorm();
   }

@@ -35,7 +35,7 @@ BallPhase ball_in(const Frame& frame, std::size_t index, int dimension) {
   BallPhase ball{
       in_space(cut(frame.position, place, width)), in_space(cut(frame.velocity, place, width)), {}};
   if (dimension == 2 && frame.columns.has(column::spin<2>))
-    ball.spin = {0, 0, frame.columns.get(column::spin<2>)[place][0]};
+    ball.spin = Vector<3>(0, 0, frame.columns.get(column::spin<2>)[place][0]);
   if (dimension == 3 && frame.columns.has(column::spin<3>))
     ball.spin = frame.columns.get(column::spin<3>)[place];
   return ball;
