@@ -70,8 +70,10 @@ void moves(benchmark::State& state, Feature feature) {
                        feature.offset.random * parameters.diameter};
   motion.offsets = parameters.offset.any();
   parameters.measure_transfer = feature.transfer;
-  Dsmc<D> dsmc(grid, parameters, motion, Streams{}, Purpose::collisions, feature.ids);
-  dsmc.assign({gas<D>(count, edge_cells), {}, {}, {}});
+  std::vector<ColumnInfo> columns;
+  if (feature.ids) columns.push_back(column::id);
+  Dsmc<D> dsmc(grid, parameters, motion, Streams{}, Purpose::collisions, columns);
+  dsmc.assign({gas<D>(count, edge_cells), {}});
   std::uint64_t step = 0;
   for (; step < 3; ++step) dsmc.step(dt, step);
   dsmc.tally() = Tally{};

@@ -22,8 +22,8 @@ template <int D>
 ParticleStore<D> store_of(const std::vector<Phase<D>>& particles) {
   std::array<std::uint32_t, D> cells;
   cells.fill(5);
-  ParticleStore<D> store(Grid<D>(box<D>(), cells), true);
-  store.assign(particles);
+  ParticleStore<D> store(Grid<D>(box<D>(), cells), {column::id});
+  store.assign({particles, {}});
   return store;
 }
 

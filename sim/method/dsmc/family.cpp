@@ -41,8 +41,9 @@ class Builder final : public MethodBuilder<D> {
                                       const Attachments<D>& attachments) const override {
     motion::MotionParameters<D> motion = motion_;
     motion.planes = attachments.planes;
-    return std::make_unique<Dsmc<D>>(grid_, parameters_, motion, streams, Purpose::collisions,
-                                     scene_.output.ids);
+    std::vector<ColumnInfo> columns;
+    if (scene_.output.ids) columns.push_back(column::id);
+    return std::make_unique<Dsmc<D>>(grid_, parameters_, motion, streams, Purpose::collisions, columns);
   }
 
   std::unique_ptr<Simulator<D>> build_elastic(const Streams& streams) const override {

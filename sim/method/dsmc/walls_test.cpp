@@ -28,7 +28,7 @@ Dsmc<D> gas(const motion::MotionParameters<D>& motion, const std::vector<Phase<D
   Parameters parameters;
   parameters.cross_section = 0.05;
   Dsmc<D> dsmc(Grid<D>(Vector<D>::Constant(4), cells), parameters, motion, {});
-  dsmc.assign({particles, {}, {}, {}});
+  dsmc.assign({particles, {}});
   return dsmc;
 }
 

@@ -137,10 +137,10 @@ View<D> Engine<D, F, M>::view() {
     present_.take(size(), parameters_.geometry, [this](std::uint32_t i) { return guest(i); });
   seen_ = clock();
   View<D> view = present_.view();
-  view.spins = gas_.spins;
-  view.species = gas_.species;
+  view.columns.add(column::id, gas_.ids);
+  view.columns.add(column::spin<D>, gas_.spins);
+  view.columns.add(column::species, gas_.species);
   view.traits = parameters_.species;
-  view.mass = parameters_.species.front().mass;
   view.tally = &tally_;
   view.planes = parameters_.planes;
   return view;

@@ -1,5 +1,7 @@
 #include "sim/method/event_driven/gas.hpp"
 
+#include <algorithm>
+
 namespace sandglass::event_driven {
 
 namespace {
@@ -25,12 +27,13 @@ void Gas<D>::assign(const Particles<D>& particles, const Parameters<D>& paramete
     bodies[i] = {particles.phases[i].position, particles.phases[i].velocity, 0, 0, kNobody};
   next.assign(count, {HUGE_VAL, HUGE_VAL, kNobody, 0, 0, 0});
   spins.assign(parameters.rough ? count : 0, Spin<D>::Zero());
-  if (parameters.rough) std::copy(particles.spins.begin(), particles.spins.end(), spins.begin());
+  if (parameters.rough) std::ranges::copy(particles.columns.get(column::spin<D>), spins.begin());
   species.assign(parameters.species.size() > 1 ? count : 0, 0);
-  if (!species.empty()) std::copy(particles.species.begin(), particles.species.end(), species.begin());
+  if (!species.empty()) std::ranges::copy(particles.columns.get(column::species), species.begin());
   last_contact.assign(parameters.contact_time > 0 ? count : 0, -HUGE_VAL);
   ids.resize(parameters.keep_ids ? count : 0);
-  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = particles.ids.empty() ? i : particles.ids[i];
+  const auto given = particles.columns.get(column::id);
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = given.empty() ? i : given[i];
 }
 
 template <int D>
