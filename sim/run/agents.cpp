@@ -5,7 +5,6 @@
 #include "sim/method/event_driven/wall_agent.hpp"
 #include "sim/run/setup.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace sandglass {
@@ -42,15 +41,15 @@ WallKind kind_of(SurfaceKind kind) {
 }
 
 /// The velocity-dependent guard holds at walls as well: a ball on the floor collapses as a row of particles does.
-WallRule rule_of(const Scene& scene, const SurfaceRule& surface, const Faults& faults) {
+WallRule rule_of(const Scene& scene, const SurfaceRule& surface, const AgentFaults& faults) {
   WallRule rule;
   rule.kind = kind_of(surface.rule);
-  rule.surface = {{std::min(1.0, faults.wall_restitution * surface.restitution), reference_speed(scene)},
+  rule.surface = {{surface.restitution, reference_speed(scene)},
                   surface.tangential_restitution,
                   surface.friction.value_or(kSticks)};
   rule.probability = surface.probability;
   rule.temperature = surface.temperature;
-  return rule;
+  return faults.changed(rule);
 }
 
 template <int D>
@@ -79,7 +78,8 @@ std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const 
                            wall.amplitude,
                            wall.frequency,
                            hard.largest_diameter() / 2};
-  return std::make_unique<WallAgent<D>>(place, rule_of(scene, wall.surface, hard.faults), hard.gravity);
+  return std::make_unique<WallAgent<D>>(hard.agent_faults.changed(place),
+                                        rule_of(scene, wall.surface, hard.agent_faults), hard.gravity);
 }
 
 }  // namespace
@@ -104,6 +104,7 @@ Parameters<D> hard_parameters_of(const Scene& scene) {
   hard.gravity = vector_of<D>(scene.gravity);
   hard.keep_ids = scene.output.ids || scene.output.event_trace.has_value();
   hard.particles = particle_count(scene);
+  hard.obstacles = scene.obstacles.size();
   return hard;
 }
 
@@ -116,8 +117,9 @@ Agents<D> make_agents(const Scene& scene, const Setup<D>& setup, std::vector<Pla
         agents.push_back(make_wall<D>(scene, wall_of(scene, axis, high), setup.hard));
   for (const Obstacle& obstacle : scene.obstacles)
     agents.push_back(std::make_unique<ObstacleAgent<D>>(
-        vector_of<D>(obstacle.centre), obstacle.radius, rule_of(scene, obstacle.surface, setup.hard.faults),
-        setup.hard.gravity, setup.hard.largest_diameter() / 2));
+        vector_of<D>(obstacle.centre), setup.hard.agent_faults.obstacle_radius * obstacle.radius,
+        rule_of(scene, obstacle.surface, setup.hard.agent_faults), setup.hard.gravity,
+        setup.hard.largest_diameter() / 2));
   if (planes != nullptr)
     for (Plane& plane : *planes)
       agents.push_back(std::make_unique<PlaneAgent<D>>(&plane, setup.hard.gravity));

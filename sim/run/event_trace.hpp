@@ -15,7 +15,7 @@ class EventTrace final : public EventSink<D> {
  public:
   /// Throws RunError when the file cannot be written. `append` goes on with a trace that is there.
   EventTrace(const std::string& path, bool append);
-  void hear(const Event<D>& event) override;
+  void record(const Event<D>& event) override;
   /// Throws RunError if a line was lost (disk full).
   void flush();
 

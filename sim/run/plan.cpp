@@ -10,13 +10,13 @@ namespace sandglass {
 
 namespace {
 
-/// Body, what comes next, about two entries of the calendar with their slack, the view, and a head per cell.
+/// The particle, what comes next, about two entries of the calendar with their slack, the view, and a head per cell.
 template <int D>
 double hard_bytes_of(const Setup<D>& setup) {
   const event_driven::Parameters<D>& hard = setup.hard;
   const double cells =
       hard.geometry.box.prod() / std::pow(hard.cell_edge(), D) / static_cast<double>(setup.particles);
-  return sizeof(event_driven::Body<D>) + sizeof(event_driven::Next) + 36 + sizeof(Phase<D>) + 4 * cells +
+  return sizeof(event_driven::Particle<D>) + sizeof(event_driven::Next) + 36 + sizeof(Phase<D>) + 4 * cells +
          (hard.rough ? sizeof(Spin<D>) : 0) + (hard.species.size() > 1 ? 1 : 0) +
          (hard.contact_time > 0 ? 8 : 0) + (hard.keep_ids ? 8 : 0);
 }
