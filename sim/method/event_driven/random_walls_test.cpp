@@ -66,7 +66,7 @@ TEST(Virial, DoesNotDependOnTheOrderOfParticles) {
     one->step(0.05, 0);
     other->step(0.05, 0);
   }
-  EXPECT_GT(one->tally().collisions, 200u);
+  EXPECT_GT(one->tally().collisions, 100u);
   EXPECT_EQ(one->tally().transfer.value(), other->tally().transfer.value());
 }
 
