@@ -54,7 +54,7 @@ void EventTrace<D>::put(const Vector<D>& vector) {
 }
 
 template <int D>
-void EventTrace<D>::hear(const Event<D>& event) {
+void EventTrace<D>::record(const Event<D>& event) {
   fmt::print(file_.get(), "{},{},{},{}", event.time,
              event.kind == Event<D>::Kind::collision ? "collision" : "agent", event.first, event.second);
   put(event.position);

@@ -19,7 +19,7 @@ class EventTrace final : public EventSink<D> {
   /// Goes on with a file that is there, whatever stands behind its first `bytes` cut off. Throws InputError when it has
   /// fewer.
   EventTrace(const std::string& path, std::uintmax_t bytes);
-  void hear(const Event<D>& event) override;
+  void record(const Event<D>& event) override;
   /// Bytes written so far, all of them on their way to the disk. Throws RunError if a line was lost (disk full).
   std::uintmax_t flush();
 

@@ -51,6 +51,7 @@ class Builder final : public MethodBuilder<D> {
     elastic.impact_bins = 0;
     elastic.keep_ids = true;
     elastic.faults = {};
+    elastic.agent_faults = {};
     return make_event_driven<D>(elastic, agents_of<D>(elastic_scene(scene_), elastic, nullptr), streams);
   }
 
@@ -73,10 +74,10 @@ class Builder final : public MethodBuilder<D> {
   }
 
  private:
-  /// Body, what comes next, about two entries of the calendar with their slack, the view, and a head per cell.
+  /// The particle, what comes next, about two entries of the calendar with their slack, the view, and a head per cell.
   double bytes_per_particle(double particles) const {
     const double cells = parameters_.geometry.box.prod() / std::pow(parameters_.cell_edge(), D) / particles;
-    return sizeof(Body<D>) + sizeof(Next) + 36 + sizeof(Phase<D>) + 4 * cells +
+    return sizeof(Particle<D>) + sizeof(Next) + 36 + sizeof(Phase<D>) + 4 * cells +
            (parameters_.rough ? sizeof(Spin<D>) : 0) + (parameters_.species.size() > 1 ? 1 : 0) +
            (parameters_.contact_time > 0 ? 8 : 0) + (parameters_.keep_ids ? 8 : 0);
   }

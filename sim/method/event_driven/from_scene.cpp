@@ -5,17 +5,9 @@
 #include "sim/method/event_driven/wall_agent.hpp"
 #include "sim/method/from_scene.hpp"
 
-#include <algorithm>
-
 namespace sandglass::event_driven {
 
 namespace {
-
-WallRule rule_of(const Scene& scene, const SurfaceRule& surface, const Faults& faults) {
-  WallRule rule = wall_rule_of(scene, surface);
-  rule.surface.normal.value = std::min(1.0, faults.wall_restitution * rule.surface.normal.value);
-  return rule;
-}
 
 template <int D>
 std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const Parameters<D>& parameters) {
@@ -27,8 +19,9 @@ std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const 
                            wall.amplitude,
                            wall.frequency,
                            parameters.largest_diameter() / 2};
-  return std::make_unique<WallAgent<D>>(place, rule_of(scene, wall.surface, parameters.faults),
-                                        parameters.gravity);
+  const AgentFaults& faults = parameters.agent_faults;
+  return std::make_unique<WallAgent<D>>(
+      faults.changed(place), faults.changed(wall_rule_of(scene, wall.surface)), parameters.gravity);
 }
 
 }  // namespace
@@ -51,6 +44,7 @@ Parameters<D> parameters_of(const Scene& scene) {
   parameters.gravity = vector_of<D>(scene.gravity);
   parameters.keep_ids = scene.output.ids || scene.output.event_trace.has_value();
   parameters.particles = particle_count(scene);
+  parameters.obstacles = scene.obstacles.size();
   return parameters;
 }
 
@@ -61,10 +55,12 @@ Agents<D> agents_of(const Scene& scene, const Parameters<D>& parameters, std::ve
     if (!parameters.geometry.periodic[static_cast<std::size_t>(axis)])
       for (const bool high : {false, true})
         agents.push_back(make_wall<D>(scene, wall_of(scene, axis, high), parameters));
+  const AgentFaults& faults = parameters.agent_faults;
   for (const Obstacle& obstacle : scene.obstacles)
     agents.push_back(std::make_unique<ObstacleAgent<D>>(
-        vector_of<D>(obstacle.centre), obstacle.radius, rule_of(scene, obstacle.surface, parameters.faults),
-        parameters.gravity, parameters.largest_diameter() / 2));
+        vector_of<D>(obstacle.centre), faults.obstacle_radius * obstacle.radius,
+        faults.changed(wall_rule_of(scene, obstacle.surface)), parameters.gravity,
+        parameters.largest_diameter() / 2));
   if (planes != nullptr)
     for (Plane& plane : *planes)
       agents.push_back(std::make_unique<PlaneAgent<D>>(&plane, parameters.gravity));

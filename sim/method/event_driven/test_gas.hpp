@@ -139,11 +139,11 @@ inline TestGas<3> cubic_gas(int edge, double nu, std::uint64_t seed = 1) {
   return gas;
 }
 
-/// Writes events down.
+/// Keeps events.
 template <int D>
 struct Recorder final : EventSink<D> {
   std::vector<Event<D>> events;
-  void hear(const Event<D>& event) override { events.push_back(event); }
+  void record(const Event<D>& event) override { events.push_back(event); }
 };
 
 /// Phases in the order of identities.
