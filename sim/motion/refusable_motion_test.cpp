@@ -71,7 +71,7 @@ bool same(const Phase<D>& a, const Phase<D>& b) {
 template <int D>
 std::vector<Phase<D>> refused_by_hand(const ParticleStore<D>& store, const MotionParameters<D>& parameters,
                                       const MotionStep& step) {
-  ParticleStore<D> flown = store;
+  ParticleStore<D> flown = store_of<D>({store.phases().begin(), store.phases().end()});
   advance(*make_motion_stage<D>(parameters, box<D>()), flown, step);
   const std::uint32_t cells = store.grid().size();
   std::vector<std::uint32_t> from(store.size()), to(store.size());
@@ -127,7 +127,7 @@ template <int D>
 void expect_like_motion(bool plain) {
   auto parameters = thermal_room<D>(plain);
   std::vector<Plane> planes{{1, 0.8, {-5, 0, 5}}}, more = planes;
-  auto free = crowd<D>(), asked = free;
+  auto free = crowd<D>(), asked = crowd<D>();
   parameters.planes = &planes;
   const auto stage = make_motion_stage<D>(parameters, box<D>());
   parameters.planes = &more;

@@ -79,7 +79,7 @@ void expect_like_plain(int code, int pulled, double dt) {
   MotionParameters<D> parameters;
   for (int axis = 0; axis < D; ++axis) parameters.walled[static_cast<std::size_t>(axis)] = code >> axis & 1;
   if (pulled >= 0) parameters.gravity[pulled] = -0.7;
-  auto plain = scattered<D>(3), general = plain;
+  auto plain = scattered<D>(3), general = scattered<D>(3);
   advance(*make_motion_stage<D>(parameters, box<D>()), plain, {dt});
   for (int axis = 0; axis < D; ++axis)
     if (code >> axis & 1) parameters.walls.push_back(wall<D>(axis, false, kElasticInDisguise));

@@ -14,11 +14,6 @@ namespace {
 /// Relative: a particle on a surface is off it by a few of its last digits.
 constexpr double kMargin = 1e-9;
 
-bool draws(const WallRule& rule) {
-  return rule.kind == WallKind::thermal || rule.kind == WallKind::random_tangential_sign ||
-         (rule.kind == WallKind::bounce_back && rule.probability < 1);
-}
-
 template <int D>
 bool stands(const WallPlace<D>& wall, const MotionParameters<D>& parameters) {
   return wall.axis >= 0 && wall.axis < D && parameters.walled[static_cast<std::size_t>(wall.axis)];
@@ -106,8 +101,8 @@ Surfaces<D>::Surfaces(const MotionParameters<D>& from, const Vector<D>& box) : p
   for (const ObstaclePlace<D>& obstacle : from.obstacles)
     balls.push_back({obstacle.centre, obstacle.radius * (1 + kMargin)});
   obstacles = BallIndex<D>(std::move(balls));
-  for (const WallSurface<D>& wall : walls) draws = draws || motion::draws(wall.place.rule);
-  for (const ObstaclePlace<D>& obstacle : from.obstacles) draws = draws || motion::draws(obstacle.rule);
+  for (const WallSurface<D>& wall : walls) draws = draws || sandglass::draws(wall.place.rule);
+  for (const ObstaclePlace<D>& obstacle : from.obstacles) draws = draws || sandglass::draws(obstacle.rule);
 }
 
 template <int D>
