@@ -1,5 +1,8 @@
 #include "sim/method/event_driven/event_driven.hpp"
 
+#include "sim/method/event_driven/obstacle_agent.hpp"
+#include "sim/method/event_driven/wall_agent.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -15,7 +18,7 @@ namespace {
 struct Feature {
   double restitution = 1;
   bool mixture = false, rough = false, gravity = false, guard = false, impact = false, transfer = false,
-       ids = false;
+       ids = false, walls = false, obstacles = false;
 };
 
 template <int D>
@@ -26,6 +29,7 @@ Parameters<D> parameters_of(double count, const Feature& feature) {
   parameters.geometry.box.setConstant(std::pow(count * size / fraction, 1.0 / D));
   parameters.geometry.periodic.fill(true);
   if (feature.gravity) parameters.gravity[0] = 1e-6;
+  if (feature.walls) parameters.geometry.periodic[0] = false;
   parameters.species[0].inertia = 0.1;
   parameters.rough = feature.rough;
   parameters.surfaces[0].normal.value = feature.restitution;
@@ -65,10 +69,33 @@ Particles<D> lattice(const Parameters<D>& parameters, std::uint64_t sites) {
     }
     mean += phase.velocity / static_cast<double>(parameters.particles);
     particles.phases.push_back(phase);
-    if (parameters.species.size() > 1) particles.species.push_back(i % 2);
+    if (parameters.species.size() > 1) particles.columns.append(column::species, i % 2);
   }
   for (Phase<D>& phase : particles.phases) phase.velocity -= mean;
   return particles;
+}
+
+/// Walls at both ends of axis 0; every 64th particle, where it is not near a side, fixed.
+template <int D>
+std::vector<std::unique_ptr<Agent<D>>> agents_of(const Parameters<D>& parameters, const Feature& feature,
+                                                 Particles<D>& particles) {
+  std::vector<std::unique_ptr<Agent<D>>> agents;
+  for (const bool high : {false, true}) {
+    const WallPlace<D> place{0, high, high ? parameters.geometry.box[0] : 0};
+    if (feature.walls)
+      agents.push_back(std::make_unique<WallAgent<D>>(place, WallRule{}, parameters.gravity));
+  }
+  if (!feature.obstacles) return agents;
+  std::size_t number = 0;
+  std::erase_if(particles.phases, [&](const Phase<D>& phase) {
+    const bool inside = phase.position.minCoeff() > 2 &&
+                        (parameters.geometry.box - phase.position).minCoeff() > 2 && number++ % 64 == 0;
+    if (inside)
+      agents.push_back(
+          std::make_unique<ObstacleAgent<D>>(phase.position, 0.5, WallRule{}, parameters.gravity, 0.5));
+    return inside;
+  });
+  return agents;
 }
 
 /// Time in which each particle collides once, at granular temperature one.
@@ -85,8 +112,9 @@ void collisions(benchmark::State& state, Feature feature) {
   const auto sites =
       static_cast<std::uint64_t>(std::lround(std::pow(static_cast<double>(state.range(0)), 1.0 / D)));
   const Parameters<D> parameters = parameters_of<D>(std::pow(static_cast<double>(sites), D), feature);
-  const auto gas = make_event_driven<D>(parameters, {}, Streams{});
-  gas->assign(lattice<D>(parameters, sites));
+  Particles<D> particles = lattice<D>(parameters, sites);
+  const auto gas = make_event_driven<D>(parameters, agents_of(parameters, feature, particles), Streams{});
+  gas->assign(particles);
   double dt = collision_time(parameters) / 10;
   std::uint64_t step = 0;
   for (; step < 40; ++step) gas->step(dt, step);
@@ -126,6 +154,8 @@ void register_features(const std::string& prefix) {
   add("impact_parameters", {.impact = true}, one);
   add("virial", {.transfer = true}, one);
   add("ids", {.ids = true}, one);
+  add("walls", {.walls = true}, one);
+  add("obstacles", {.obstacles = true}, one);
 }
 
 const bool registered = [] {

@@ -18,12 +18,12 @@ struct Event {
   double approach = 0;                  ///< speed along the normal before a collision
 };
 
-/// Hears of every event, in the order of time.
+/// Takes every event, in the order of time.
 template <int D>
 class EventSink {
  public:
   virtual ~EventSink() = default;
-  virtual void hear(const Event<D>& event) = 0;
+  virtual void record(const Event<D>& event) = 0;
 };
 
 }  // namespace sandglass

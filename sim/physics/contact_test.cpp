@@ -25,7 +25,7 @@ void in_both_dimensions(Body2 disks, Body3 spheres) {
 template <int D>
 void expect_conservation(Random& random, Pair<D> pair) {
   const Pair<D> before = pair;
-  ASSERT_TRUE(pair.meet(any_surface(random)));
+  ASSERT_TRUE(pair.collide(any_surface(random)));
   EXPECT_LT((pair.momentum() - before.momentum()).norm(), 1e-13);
   EXPECT_LT((pair.angular_momentum() - before.angular_momentum()).norm(), 1e-13);
   EXPECT_LE(pair.energy(), before.energy() + 1e-13);
@@ -36,7 +36,7 @@ template <int D>
 void expect_reversal(Random& random, Pair<D> pair) {
   Pair<D> before = pair;
   const Surface surface{{random.uniform()}, 2 * random.uniform() - 1};
-  pair.meet(surface);
+  pair.collide(surface);
   const auto across = [](Pair<D>& p) {
     return Vector<D>(p.contact() - p.contact().dot(p.normal) * p.normal);
   };
@@ -55,8 +55,8 @@ template <int D>
 void expect_energy_kept(Random&, Pair<D> pair) {
   const double energy = pair.energy();
   Pair<D> smooth = pair;
-  pair.meet({{1}, 1});
-  smooth.meet({});
+  pair.collide({{1}, 1});
+  smooth.collide({});
   EXPECT_NEAR(pair.energy(), energy, 1e-13);
   EXPECT_NEAR(smooth.energy(), energy, 1e-13);
 }
@@ -66,7 +66,7 @@ template <int D>
 void expect_smooth(Random& random, Pair<D> pair) {
   const Pair<D> before = pair;
   const double restitution = random.uniform();
-  pair.meet({{restitution}, -1, random.uniform()});
+  pair.collide({{restitution}, -1, random.uniform()});
   const Vector<D> impulse = smooth_impulse<D>(before.first.mass, before.second.mass, restitution,
                                               before.first.velocity - before.second.velocity, before.normal);
   EXPECT_EQ(pair.first.spin, before.first.spin);
@@ -82,7 +82,7 @@ void expect_uniform_rule(Random& random, Pair<D> pair) {
   Vector<D> one = pair.first.velocity, two = pair.second.velocity;
   const double restitution = random.uniform();
   SmoothInelastic{restitution}(one, two, pair.normal);
-  pair.meet({{restitution}});
+  pair.collide({{restitution}});
   EXPECT_LT((pair.first.velocity - one).norm() + (pair.second.velocity - two).norm(), 1e-13);
 }
 TEST(Contact, OfEqualSmoothPartnersIsTheUniformRule) { IN_BOTH_DIMENSIONS(expect_uniform_rule); }
@@ -95,7 +95,7 @@ void expect_effective_restitution(Random& random, Pair<D> pair) {
   const double masses = pair.reduced_mass() / tangential_mass(pair.first.partner(), pair.second.partner());
   const double effective =
       std::min(surface.tangential, sliding_restitution(surface, pair.approach(), slip.norm(), masses));
-  pair.meet(surface);
+  pair.collide(surface);
   const Vector<D> after = pair.contact();
   EXPECT_LT((after - after.dot(pair.normal) * pair.normal + effective * slip).norm(), 1e-13);
 }
@@ -108,8 +108,8 @@ void expect_galilean(Random& random, Pair<D> pair) {
   moving.first.velocity += drift;
   moving.second.velocity += drift;
   const Surface surface = any_surface(random);
-  pair.meet(surface);
-  moving.meet(surface);
+  pair.collide(surface);
+  moving.collide(surface);
   EXPECT_LT((moving.first.velocity - drift - pair.first.velocity).norm(), 1e-13);
   EXPECT_LT((moving.second.velocity - drift - pair.second.velocity).norm(), 1e-13);
   EXPECT_LT((moving.first.spin - pair.first.spin).norm(), 1e-12);
@@ -133,8 +133,8 @@ template <int D>
 void expect_mirror(Random& random, Pair<D> pair) {
   Pair<D> image = mirrored(pair);
   const Surface surface = any_surface(random);
-  pair.meet(surface);
-  image.meet(surface);
+  pair.collide(surface);
+  image.collide(surface);
   image = mirrored(image);
   EXPECT_LT((image.first.velocity - pair.first.velocity).norm(), 1e-14);
   EXPECT_LT((image.first.spin - pair.first.spin).norm(), 1e-13);
@@ -145,8 +145,8 @@ template <int D>
 void expect_exchange(Random& random, Pair<D> pair) {
   Pair<D> swapped{pair.second, pair.first, -pair.normal};
   const Surface surface = any_surface(random);
-  pair.meet(surface);
-  swapped.meet(surface);
+  pair.collide(surface);
+  swapped.collide(surface);
   EXPECT_LT((swapped.second.velocity - pair.first.velocity).norm(), 1e-14);
   EXPECT_LT((swapped.first.spin - pair.second.spin).norm(), 1e-13);
 }
@@ -157,7 +157,7 @@ void expect_wall_limit(Random& random, Pair<D> pair) {
   pair.second.mass = pair.second.inertia = 1e14;
   Pair<D> wall = pair;
   const Surface surface = any_surface(random);
-  pair.meet(surface);
+  pair.collide(surface);
   const Partner<D> fixed{wall.second.velocity, wall.second.spin, 0, 0, wall.second.radius};
   collide(surface, wall.normal, wall.first.partner(), fixed);
   EXPECT_LT((wall.first.velocity - pair.first.velocity).norm(), 1e-12);
@@ -170,7 +170,7 @@ template <int D>
 void expect_nothing(Random& random, Pair<D> pair) {
   pair.normal = -pair.normal;
   const Pair<D> before = pair;
-  EXPECT_FALSE(pair.meet(any_surface(random)));
+  EXPECT_FALSE(pair.collide(any_surface(random)));
   EXPECT_EQ(pair.first.velocity, before.first.velocity);
   EXPECT_EQ(pair.second.spin, before.second.spin);
 }

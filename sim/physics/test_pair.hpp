@@ -27,7 +27,9 @@ struct Pair {
   Ball<D> first, second;
   Vector<D> normal;
 
-  bool meet(const Surface& surface) { return collide(surface, normal, first.partner(), second.partner()); }
+  bool collide(const Surface& surface) {
+    return sandglass::collide(surface, normal, first.partner(), second.partner());
+  }
   double energy() const { return first.energy() + second.energy(); }
   double approach() const { return (second.velocity - first.velocity).dot(normal); }
   Vector<D> contact() { return contact_velocity(normal, first.partner(), second.partner()); }

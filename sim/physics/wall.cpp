@@ -21,13 +21,13 @@ Vector<D> tangent(const Vector<D>& normal, int which) {
 
 template <int D>
 void specular(const Surface& surface, const Vector<D>& normal, Vector<D> wall,
-              const WallVisitor<D>& visitor) {
-  const bool rough = visitor.spin && !surface.smooth();
+              const ParticleAtWall<D>& particle) {
+  const bool rough = particle.spin && !surface.smooth();
   Spin<D> still = Spin<D>::Zero(), unused = Spin<D>::Zero();
-  const double inertia = rough ? visitor.inertia : 1;
+  const double inertia = rough ? particle.inertia : 1;
   collide<D>(
       rough ? surface : Surface{surface.normal}, normal,
-      {visitor.velocity, rough ? *visitor.spin : unused, 1 / visitor.mass, 1 / inertia, visitor.radius},
+      {particle.velocity, rough ? *particle.spin : unused, 1 / particle.mass, 1 / inertia, particle.radius},
       {wall, still, 0, 0, 0});
 }
 
@@ -45,13 +45,13 @@ Vector<D> random_signs(const Vector<D>& along, const Vector<D>& normal, Random& 
 /// surface and of the spin.
 template <int D>
 void thermal(double temperature, const Vector<D>& normal, const Vector<D>& wall,
-             const WallVisitor<D>& visitor, Random& random) {
-  const double speed = std::sqrt(temperature / visitor.mass);
-  visitor.velocity = wall + speed * std::sqrt(-2 * std::log(1 - random.uniform())) * normal;
-  for (int i = 0; i < D - 1; ++i) visitor.velocity += speed * gaussian(random) * tangent<D>(normal, i);
-  if (!visitor.spin) return;
-  for (double& component : visitor.spin->reshaped())
-    component = std::sqrt(temperature / visitor.inertia) * gaussian(random);
+             const ParticleAtWall<D>& particle, Random& random) {
+  const double speed = std::sqrt(temperature / particle.mass);
+  particle.velocity = wall + speed * std::sqrt(-2 * std::log(1 - random.uniform())) * normal;
+  for (int i = 0; i < D - 1; ++i) particle.velocity += speed * gaussian(random) * tangent<D>(normal, i);
+  if (!particle.spin) return;
+  for (double& component : particle.spin->reshaped())
+    component = std::sqrt(temperature / particle.inertia) * gaussian(random);
 }
 
 /// Rounding must not leave the particle on its way into the wall: a push by the last digits.
@@ -70,8 +70,8 @@ void lift_off(const Vector<D>& normal, const Vector<D>& wall, bool stay, Vector<
 
 template <int D>
 void reflect(const WallRule& rule, const Vector<D>& normal, const Vector<D>& wall_velocity,
-             const WallVisitor<D>& visitor, Random& random) {
-  const Vector<D> before = visitor.velocity - wall_velocity;
+             const ParticleAtWall<D>& particle, Random& random) {
+  const Vector<D> before = particle.velocity - wall_velocity;
   const double approach = -before.dot(normal);
   if (approach < 0) return;
   const Vector<D> along = before + approach * normal;
@@ -80,24 +80,26 @@ void reflect(const WallRule& rule, const Vector<D>& normal, const Vector<D>& wal
   switch (rule.kind) {
     case WallKind::bounce_back:
       if (rule.probability >= 1 || random.uniform() < rule.probability) {
-        visitor.velocity = leaving - along;
+        particle.velocity = leaving - along;
         break;
       }
       [[fallthrough]];
     case WallKind::specular:
-      specular<D>(rule.surface, normal, wall_velocity, visitor);
+      specular<D>(rule.surface, normal, wall_velocity, particle);
       break;
     case WallKind::random_tangential_sign:
-      visitor.velocity = leaving + random_signs<D>(along, normal, random);
+      particle.velocity = leaving + random_signs<D>(along, normal, random);
       break;
     case WallKind::thermal:
-      thermal<D>(rule.temperature, normal, wall_velocity, visitor, random);
+      thermal<D>(rule.temperature, normal, wall_velocity, particle, random);
       break;
   }
-  lift_off<D>(normal, wall_velocity, restitution == 0 && rule.kind != WallKind::thermal, visitor.velocity);
+  lift_off<D>(normal, wall_velocity, restitution == 0 && rule.kind != WallKind::thermal, particle.velocity);
 }
 
-template void reflect<2>(const WallRule&, const Vector<2>&, const Vector<2>&, const WallVisitor<2>&, Random&);
-template void reflect<3>(const WallRule&, const Vector<3>&, const Vector<3>&, const WallVisitor<3>&, Random&);
+template void reflect<2>(const WallRule&, const Vector<2>&, const Vector<2>&, const ParticleAtWall<2>&,
+                         Random&);
+template void reflect<3>(const WallRule&, const Vector<3>&, const Vector<3>&, const ParticleAtWall<3>&,
+                         Random&);
 
 }  // namespace sandglass

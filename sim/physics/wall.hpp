@@ -23,9 +23,15 @@ struct WallRule {
   double temperature = 1;  ///< of a thermal wall, > 0
 };
 
+/// Whether the rule draws random numbers.
+inline bool draws(const WallRule& rule) {
+  return rule.kind == WallKind::thermal || rule.kind == WallKind::random_tangential_sign ||
+         (rule.kind == WallKind::bounce_back && rule.probability < 1);
+}
+
 /// The particle that the wall acts on.
 template <int D>
-struct WallVisitor {
+struct ParticleAtWall {
   Vector<D>& velocity;
   Spin<D>* spin;  ///< null: it has none
   double mass, radius, inertia;
@@ -35,6 +41,6 @@ struct WallVisitor {
 /// normal velocity relative to the wall is positive; zero only with restitution 0.
 template <int D>
 void reflect(const WallRule& rule, const Vector<D>& normal, const Vector<D>& wall_velocity,
-             const WallVisitor<D>& visitor, Random& random);
+             const ParticleAtWall<D>& particle, Random& random);
 
 }  // namespace sandglass

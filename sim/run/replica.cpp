@@ -1,6 +1,7 @@
 #include "sim/run/replica.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/run/frame.hpp"
 #include "sim/run/initial.hpp"
 
 #include <algorithm>
@@ -11,47 +12,53 @@
 namespace sandglass {
 
 namespace {
+/// Goes on with a trace where the checkpoint left it: what was written after that is cut off.
 template <int D>
-std::unique_ptr<EventTrace<D>> make_trace(const Scene& scene, const Streams& streams, bool goes_on) {
+std::unique_ptr<EventTrace<D>> make_trace(const Scene& scene, const Streams& streams, const State* state) {
   if (!scene.output.event_trace || streams.replica > 0) return nullptr;
-  return std::make_unique<EventTrace<D>>(*scene.output.event_trace, goes_on);
+  const std::string& path = *scene.output.event_trace;
+  if (state == nullptr) return std::make_unique<EventTrace<D>>(path);
+  return std::make_unique<EventTrace<D>>(path,
+                                         static_cast<std::uintmax_t>(state->memory.at("event-trace").at(0)));
 }
 }  // namespace
 
 template <int D>
-ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation,
-                          const Streams& streams, const State* state)
-    : scene_(scene),
+ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const State* state)
+    : setup_(setup),
+      scene_(setup.scene),
       streams_(streams),
       planes_(make_planes(setup.observers)),
-      trace_(make_trace<D>(scene, streams, state != nullptr)),
-      simulator_(make_simulator<D>(scene, setup, mutation, streams, &planes_, trace_.get())),
-      setup_(setup),
-      stepper_(scene, setup) {
+      trace_(make_trace<D>(setup.scene, streams, state)),
+      simulator_(setup.method->build(streams, {&planes_, trace_.get()})),
+      stepper_(setup) {
   std::size_t plane = 0;
   for (std::size_t i = 0; i < setup.observers.size(); ++i) {
     for (auto& observer : make_observers<D>(setup.observers[i], plane)) {
       Quantity quantity = observer->quantity();
       watches_.push_back(
-          {std::move(observer), Schedule(scene.observe[i].cadence), {std::move(quantity), {}, {}, {}}});
+          {std::move(observer), Schedule(scene_.observe[i].cadence), {std::move(quantity), {}, {}, {}}});
     }
     plane += needs_of(setup.observers[i]).plane ? 1 : 0;
   }
-  if (scene.output.trajectory && streams.replica == 0) frames_.emplace(*scene.output.trajectory);
-  if (state != nullptr)
-    load(*state);
-  else
-    start();
+  if (scene_.output.trajectory && streams.replica == 0) frames_.emplace(*scene_.output.trajectory);
+  try {
+    state == nullptr ? start() : load(*state);
+  } catch (const std::out_of_range&) {
+    throw InputError(
+        "the checkpoint lacks part of the state, as one of another version does; run its scene again");
+  }
 }
 
 template <int D>
 void ReplicaRun<D>::start() {
-  if (!is_reservoir(scene_)) simulator_->assign(initial_particles(scene_, setup_, streams_));
+  simulator_->assign(initial_particles(setup_, streams_));
+  collisions_ = {simulator_->size()};
   for (Watch& watch : watches_) {
     watch.observer->start(view());
     if (watch.observer->measures_at_start()) sample(watch);
   }
-  if (frames_) trajectory_.push_back(frame());
+  if (frames_) trajectory_.push_back(frame_of(view()));
 }
 
 template <int D>
@@ -60,9 +67,7 @@ void ReplicaRun<D>::step() {
   simulator_->step(dt, clock_.step);
   ++clock_.step;
   clock_.time = scene_.method.time_step.fixed ? static_cast<double>(clock_.step) * dt : clock_.time + dt;
-  if (setup_.particles > 0)
-    clock_.collisions =
-        2 * static_cast<double>(simulator_->tally().collisions) / static_cast<double>(setup_.particles);
+  clock_.collisions = collisions_.per_particle(simulator_->tally().collisions, simulator_->size());
   sample_what_is_due();
   if (clock_.step % 1'000'000 == 0) refuse_standstill();
 }
@@ -71,7 +76,7 @@ template <int D>
 void ReplicaRun<D>::sample_what_is_due() {
   for (Watch& watch : watches_)
     if (watch.schedule.due(clock_)) sample(watch);
-  if (frames_ && frames_->due(clock_)) trajectory_.push_back(frame());
+  if (frames_ && frames_->due(clock_)) trajectory_.push_back(frame_of(view()));
 }
 
 template <int D>
@@ -105,21 +110,6 @@ void ReplicaRun<D>::sample(Watch& watch) {
 }
 
 template <int D>
-Frame ReplicaRun<D>::frame() {
-  const View<D> now = view();
-  Frame frame{clock_.step, clock_.time, {}, {}, {simulator_->ids().begin(), simulator_->ids().end()}};
-  frame.position.reserve(D * now.particles.size());
-  frame.velocity.reserve(D * now.particles.size());
-  for (const Phase<D>& particle : now.particles) {
-    frame.position.insert(frame.position.end(), particle.position.data(), particle.position.data() + D);
-    frame.velocity.insert(frame.velocity.end(), particle.velocity.data(), particle.velocity.data() + D);
-  }
-  for (const Spin<D>& spin : now.spins)
-    frame.spin.insert(frame.spin.end(), spin.data(), spin.data() + spin.size());
-  return frame;
-}
-
-template <int D>
 std::map<std::string, double> ReplicaRun<D>::counters() {
   const Tally& tally = simulator_->tally();
   std::map<std::string, double> counters = simulator_->counters();
@@ -132,11 +122,11 @@ std::map<std::string, double> ReplicaRun<D>::counters() {
 
 template <int D>
 State ReplicaRun<D>::save() {
-  if (trace_) trace_->flush();
-  State state{clock_.step, clock_.time, frame(), {}, counters(), simulator_->save()};
-  state.particles.spin.clear();  // the method's memory holds them
+  State state{clock_.step, clock_.time, frame_of(view()), {}, counters(), simulator_->save()};
   simulator_->tally().save(state.memory);
   state.memory["time-step"] = stepper_.save();
+  state.memory["collisions"] = collisions_.save();
+  if (trace_) state.memory["event-trace"] = {static_cast<double>(trace_->flush())};
   for (std::size_t i = 0; i < planes_.size(); ++i)
     state.memory[fmt::format("plane-{}", i)] = planes_[i].save();
   for (std::size_t i = 0; i < watches_.size(); ++i) {
@@ -148,19 +138,13 @@ State ReplicaRun<D>::save() {
 
 template <int D>
 void ReplicaRun<D>::load(const State& state) {
-  std::vector<Phase<D>> particles(state.particles.position.size() / D);
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    particles[i].position = Eigen::Map<const Vector<D>>(&state.particles.position[D * i]);
-    particles[i].velocity = Eigen::Map<const Vector<D>>(&state.particles.velocity[D * i]);
-  }
-  if (!is_reservoir(scene_)) simulator_->assign({std::move(particles), {}, {}, state.particles.id});
+  simulator_->assign(particles_of<D>(state.particles));
   simulator_->load(state.memory);
-  Tally& tally = simulator_->tally();
-  tally.load(state.memory);
+  simulator_->tally().load(state.memory);
   stepper_.load(state.memory.at("time-step"));
-  clock_ = {state.step, state.time, 0};
-  if (setup_.particles > 0)
-    clock_.collisions = 2 * static_cast<double>(tally.collisions) / static_cast<double>(setup_.particles);
+  collisions_.load(state.memory.at("collisions"));
+  clock_ = {state.step, state.time,
+            collisions_.per_particle(simulator_->tally().collisions, simulator_->size())};
   for (std::size_t i = 0; i < planes_.size(); ++i)
     planes_[i].load(state.memory.at(fmt::format("plane-{}", i)));
   for (std::size_t i = 0; i < watches_.size(); ++i) {

@@ -22,7 +22,7 @@ class Rules {
       : points_(names_of(subject.points)),
         variants_(names_of(subject.variants)),
         checks_(names_of(all_checks())),
-        mutations_(names_of(mutations())),
+        mutations_(names_of(planted_faults())),
         diagnostics_(diagnostics) {}
 
   void known(const std::string& kind, const std::string& word, const std::vector<std::string>& allowed,

@@ -7,7 +7,7 @@ namespace sandglass {
 
 namespace {
 std::string summary_of(const std::string& mutation) {
-  for (const MutationInfo& info : mutations())
+  for (const PlantedFault& info : planted_faults())
     if (info.name == mutation) return info.summary;
   return "";
 }

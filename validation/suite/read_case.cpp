@@ -1,6 +1,6 @@
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
-#include "sim/scene/table.hpp"
+#include "sim/scene/text/table.hpp"
 #include "validation/suite/case.hpp"
 #include "validation/suite/case_rules.hpp"
 

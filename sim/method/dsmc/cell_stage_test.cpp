@@ -58,7 +58,7 @@ Dsmc<D> simulation(std::unique_ptr<CellStage<D>> stage, double cross_section = 0
   motion.walled[0] = true;
   Dsmc<D> dsmc(Grid<D>(Vector<D>::Constant(kCells), cells), parameters, motion, {});
   if (stage) dsmc.add(std::move(stage));
-  dsmc.assign({particles<D>(), {}, {}, {}});
+  dsmc.assign({particles<D>(), {}});
   return dsmc;
 }
 

@@ -84,7 +84,7 @@ Deviations deviations(const Parameters& parameters, double fraction, double per_
   MotionParameters<D> motion;
   motion.offsets = true;
   Dsmc<D> dsmc(grid, parameters, motion, {});
-  dsmc.assign({maxwellian<D>(count, edge * kCellEdge), {}, {}, {}});
+  dsmc.assign({maxwellian<D>(count, edge * kCellEdge), {}});
   const double density = fraction / particle_volume(D, 1), contact = contact_formula(D)(fraction).value;
   const double rate = (D == 2 ? 2 : 4) * std::sqrt(M_PI) * density * contact, dt = kCollisions / rate;
   std::uint64_t step = 0;

@@ -1,33 +1,36 @@
 #pragma once
 
 #include "sim/base/random.hpp"
-#include "sim/base/vector.hpp"
+#include "sim/method/event_driven/particle_state.hpp"
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace sandglass::event_driven {
 
-/// A particle at the present moment, as an agent meets it. The agent may change it.
+/// A box with its sides along the axes, its edges included.
 template <int D>
-struct Guest {
-  Vector<D> position, velocity;
-  Spin<D>* spin = nullptr;  ///< null: smooth
-  double radius = 0.5, mass = 1, inertia = 0;
-  std::size_t species = 0;
-  bool guarded = false;  ///< by the TC model: a dissipative contact is elastic
+struct Box {
+  Vector<D> low, high;
+
+  static Box everywhere() { return {Vector<D>::Constant(-HUGE_VAL), Vector<D>::Constant(HUGE_VAL)}; }
+  static Box nowhere() { return {Vector<D>::Constant(HUGE_VAL), Vector<D>::Constant(-HUGE_VAL)}; }
+  bool overlaps(const Box& other) const {
+    return (low.array() <= other.high.array() && other.low.array() <= high.array()).all();
+  }
 };
 
-/// What an agent may do to the whole gas at an event of its own.
+/// Access to all particles, for an agent at an event of its own.
 template <int D>
-class Gathering {
+class ParticleAccess {
  public:
-  virtual ~Gathering() = default;
+  virtual ~ParticleAccess() = default;
   virtual std::uint64_t size() const = 0;
-  virtual Guest<D> guest(std::uint32_t particle) const = 0;
+  virtual ParticleState<D> state(std::uint32_t particle) const = 0;
   /// Gives a particle another velocity, here and now.
-  virtual void redirect(std::uint32_t particle, const Vector<D>& velocity) = 0;
+  virtual void set_velocity(std::uint32_t particle, const Vector<D>& velocity) = 0;
 };
 
 /// Anything that makes events beside the particles themselves: walls, obstacles, planes that count, timers; thermostats and
@@ -37,29 +40,36 @@ class Agent {
  public:
   virtual ~Agent() = default;
 
-  /// Whether particles with their centre in the box between two corners may meet it. Asked once per cell.
-  virtual bool reaches(const Vector<D>& low, const Vector<D>& high) const {
-    (void)low, (void)high;
-    return false;
+  /// The box in which the centre of a particle can be when the agent acts on it.
+  virtual Box<D> reach() const { return Box<D>::nowhere(); }
+  /// Whether it acts on centres in a cell that overlaps that box, for shapes that do not fill their box.
+  virtual bool reaches(const Box<D>& cell) const {
+    (void)cell;
+    return true;
   }
   /// How long from now until it acts on the particle in free flight; infinity for never.
-  virtual double delay(const Guest<D>& guest, double now) const {
-    (void)guest, (void)now;
+  virtual double delay(const ParticleState<D>& particle, double now) const {
+    (void)particle, (void)now;
     return HUGE_VAL;
   }
+  /// Whether act() draws: only then it gets a stream, and particles keep their identities.
+  virtual bool draws() const { return false; }
   /// Acts on the particle that has come. True if its flight changed.
-  virtual bool act(Guest<D>& guest, double now, Random& random) {
-    (void)guest, (void)now, (void)random;
+  virtual bool act(ParticleState<D>& particle, double now, Random& random) {
+    (void)particle, (void)now, (void)random;
     return false;
   }
 
-  /// Time of the next event of its own; infinity for none.
+  /// Time of the next event of its own; infinity for none. An agent that begins with infinity is not asked again.
   virtual double next() const { return HUGE_VAL; }
-  virtual void act(Gathering<D>& gathering, double now) { (void)gathering, (void)now; }
+  virtual void act(ParticleAccess<D>& particles, double now) { (void)particles, (void)now; }
 
   /// What a restart needs, in as few numbers as it takes; and back.
   virtual std::vector<double> save() const { return {}; }
   virtual void load(const std::vector<double>&) {}
 };
+
+template <int D>
+using Agents = std::vector<std::unique_ptr<Agent<D>>>;
 
 }  // namespace sandglass::event_driven

@@ -142,10 +142,10 @@ TEST(Agents, APlaneUnderGravityCountsBothWays) {
 
 TEST(Agents, ATimerFiresAtItsTimesAndTurnsParticles) {
   std::vector<double> times;
-  const auto action = [&times](Gathering<2>& gathering, double now) {
+  const auto action = [&times](ParticleAccess<2>& particles, double now) {
     times.push_back(now);
-    ASSERT_EQ(gathering.size(), 2u);
-    gathering.redirect(0, -gathering.guest(0).velocity);
+    ASSERT_EQ(particles.size(), 2u);
+    particles.set_velocity(0, -particles.state(0).velocity);
   };
   TestGas<2> gas({20, 20});
   gas.agents.push_back(
@@ -161,11 +161,11 @@ TEST(Agents, ATimerFiresAtItsTimesAndTurnsParticles) {
   EXPECT_LT((by_id(*engine)[0].position - Vector<2>(2 + along, 2 + along / 2)).norm(), 1e-13);
 }
 
-/// A redirected particle keeps no old appointment, and makes new ones.
-TEST(Agents, ARedirectedParticleMeetsOthersOnItsNewWay) {
-  const auto action = [](Gathering<2>& gathering, double) {
-    for (std::uint32_t i = 0; i < gathering.size(); ++i)
-      if (gathering.guest(i).velocity.norm() > 0) gathering.redirect(i, {0, 1});
+/// After a change of velocity what was predicted is void, and found anew.
+TEST(Agents, AParticleOnANewWayCollidesThere) {
+  const auto action = [](ParticleAccess<2>& particles, double) {
+    for (std::uint32_t i = 0; i < particles.size(); ++i)
+      if (particles.state(i).velocity.norm() > 0) particles.set_velocity(i, {0, 1});
   };
   TestGas<2> gas({20, 20});
   gas.agents.push_back(

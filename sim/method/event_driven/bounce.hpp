@@ -5,14 +5,14 @@
 
 namespace sandglass::event_driven {
 
-/// A particle meets a wall or an obstacle whose surface moves with `surface`; `normal` points into the gas. The TC model
+/// A particle hits a wall or an obstacle whose surface moves with `surface`; `normal` points into the gas. The TC model
 /// makes the contact elastic.
 template <int D>
-void bounce(WallRule rule, const Vector<D>& normal, const Vector<D>& surface, Guest<D>& guest,
+void bounce(WallRule rule, const Vector<D>& normal, const Vector<D>& surface, ParticleState<D>& particle,
             Random& random) {
-  if (guest.guarded) rule.surface.normal = {1, 0};
-  reflect<D>(rule, normal, surface, {guest.velocity, guest.spin, guest.mass, guest.radius, guest.inertia},
-             random);
+  if (particle.guarded) rule.surface.normal = {1, 0};
+  reflect<D>(rule, normal, surface,
+             {particle.velocity, particle.spin, particle.mass, particle.radius, particle.inertia}, random);
 }
 
 }  // namespace sandglass::event_driven

@@ -29,14 +29,14 @@ class Candidates {
   bool more() const { return done_ < size_; }
   /// The next four, filled up with `filler` at the end.
   template <int D>
-  Four next(const Body<D>* bodies, std::uint32_t filler) {
+  Four next(const Particle<D>* particles, std::uint32_t filler) {
     if (size_ + 2 * kAtOnce > list_.size()) [[unlikely]]
       list_.resize(2 * list_.size());
     Four who, below;
     for (std::uint32_t k = 0; k < kAtOnce; ++k) {
       const bool known = done_ + k < size_;
       who[k] = known ? list_[done_ + k] : filler;
-      below[k] = known ? bodies[who[k]].below : kNobody;
+      below[k] = known ? particles[who[k]].below : kNobody;
     }
     done_ = std::min(done_ + kAtOnce, size_);
     for (const std::uint32_t particle : below) add(particle);

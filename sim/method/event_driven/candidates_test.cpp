@@ -10,12 +10,13 @@
 namespace sandglass::event_driven {
 namespace {
 
-/// Bodies in `cells` random chains, the first of each.
-std::vector<std::uint32_t> chain(std::vector<Body<2>>& bodies, std::uint32_t cells, std::mt19937_64& random) {
+/// Particles in `cells` random chains, the first of each.
+std::vector<std::uint32_t> chain(std::vector<Particle<2>>& particles, std::uint32_t cells,
+                                 std::mt19937_64& random) {
   std::vector<std::uint32_t> heads(cells, kNobody);
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+  for (std::uint32_t i = 0; i < particles.size(); ++i) {
     std::uint32_t& head = heads[random() % cells];
-    bodies[i].below = head;
+    particles[i].below = head;
     head = i;
   }
   return heads;
@@ -25,13 +26,13 @@ TEST(Candidates, GiveEachParticleOfEachChainOnce) {
   std::mt19937_64 random(1);
   Candidates near;
   for (std::uint32_t size : {0u, 1u, 3u, 4u, 5u, 8u, 17u, 300u, 2000u}) {
-    std::vector<Body<2>> bodies(size + 1);
+    std::vector<Particle<2>> particles(size + 1);
     near.clear();
-    for (std::uint32_t head : chain(bodies, 9, random)) near.add(head);
-    std::vector<int> seen(bodies.size());
+    for (std::uint32_t head : chain(particles, 9, random)) near.add(head);
+    std::vector<int> seen(particles.size());
     const std::uint32_t filler = size;
     while (near.more())
-      for (std::uint32_t who : near.next(bodies.data(), filler)) ++seen[who];
+      for (std::uint32_t who : near.next(particles.data(), filler)) ++seen[who];
     for (std::uint32_t i = 0; i < size; ++i) EXPECT_EQ(seen[i], 1) << i << " of " << size;
     EXPECT_GE(seen[filler], 1);
     EXPECT_EQ(near.size(), size + 1);
@@ -40,9 +41,9 @@ TEST(Candidates, GiveEachParticleOfEachChainOnce) {
 
 template <int D>
 void check_columns() {
-  std::vector<Body<D>> bodies(9);
+  std::vector<Particle<D>> particles(9);
   double number = 0;
-  for (Body<D>& body : bodies) {
+  for (Particle<D>& body : particles) {
     for (int axis = 0; axis < D; ++axis) {
       body.position[axis] = ++number;
       body.velocity[axis] = ++number;
@@ -50,9 +51,9 @@ void check_columns() {
     body.time = ++number;
   }
   const std::array<std::uint32_t, 4> which{7, 2, 2, 5};
-  const Columns<D> columns(bodies.data(), which);
+  const Columns<D> columns(particles.data(), which);
   for (std::size_t k = 0; k < 4; ++k) {
-    const Body<D>& body = bodies[which[k]];
+    const Particle<D>& body = particles[which[k]];
     for (int axis = 0; axis < D; ++axis) {
       EXPECT_EQ(columns.position(axis)[k], body.position[axis]);
       EXPECT_EQ(columns.velocity(axis)[k], body.velocity[axis]);

@@ -34,24 +34,8 @@ void Cells<D>::clear() {
 template <int D>
 std::uint32_t Cells<D>::cell_of(const Vector<D>& position) const {
   std::uint32_t cell = 0;
-  for (int axis = 0; axis < D; ++axis) {
-    const double place = std::clamp(position[axis] * per_edge_[axis], 0.0, count_[index(axis)] - 1.0);
-    cell |= static_cast<std::uint32_t>(place) << (kBits * axis);
-  }
+  for (int axis = 0; axis < D; ++axis) cell |= coordinate_at(position[axis], axis) << (kBits * axis);
   return cell;
-}
-
-template <int D>
-std::vector<std::uint32_t> Cells<D>::all() const {
-  std::vector<std::uint32_t> cells(head_.size());
-  for (std::uint32_t place = 0; place < size(); ++place) {
-    std::uint32_t rest = place;
-    for (int axis = 0; axis < D; ++axis) {
-      cells[place] |= rest % count_[index(axis)] << (kBits * axis);
-      rest /= count_[index(axis)];
-    }
-  }
-  return cells;
 }
 
 template <int D>

@@ -3,8 +3,8 @@
 #include "sim/method/event_driven/candidates.hpp"
 #include "sim/space/particle_store.hpp"
 
+#include <algorithm>
 #include <array>
-#include <vector>
 
 namespace sandglass::event_driven {
 
@@ -25,15 +25,15 @@ class Cells {
   Cells(const Geometry<D>& geometry, double edge);
 
   void clear();
-  void enter(Body<D>* bodies, std::uint32_t particle, std::uint32_t cell) {
+  void enter(Particle<D>* particles, std::uint32_t particle, std::uint32_t cell) {
     std::uint32_t& head = head_[linear(cell)];
-    bodies[particle].below = head;
+    particles[particle].below = head;
     head = particle;
   }
-  void leave(Body<D>* bodies, std::uint32_t particle, std::uint32_t cell) {
+  void leave(Particle<D>* particles, std::uint32_t particle, std::uint32_t cell) {
     std::uint32_t* link = &head_[linear(cell)];
-    while (*link != particle) link = &bodies[*link].below;
-    *link = bodies[particle].below;
+    while (*link != particle) link = &particles[*link].below;
+    *link = particles[particle].below;
   }
 
   std::uint32_t cell_of(const Vector<D>& position) const;
@@ -44,8 +44,9 @@ class Cells {
     return place;
   }
   std::uint32_t size() const { return static_cast<std::uint32_t>(head_.size()); }
-  /// Every cell, in the order of storage.
-  std::vector<std::uint32_t> all() const;
+  /// Calls `visit` with every cell between two corners, which may be infinite, and with some beside them.
+  template <class Visit>
+  void for_each_between(const Vector<D>& low, const Vector<D>& high, Visit visit) const;
 
   static std::uint32_t coordinate(std::uint32_t cell, int axis) { return (cell >> (kBits * axis)) & kMask; }
   /// Edges of a cell. Beside a wall it is open: only the wall holds particles back, and it may move.
@@ -55,6 +56,8 @@ class Cells {
     edge = face > 0 ? edge : lowest_[axis];
     return face < count_[index(axis)] ? edge : highest_[axis];
   }
+  Vector<D> low_corner(std::uint32_t cell) const { return corner(cell, false); }
+  Vector<D> high_corner(std::uint32_t cell) const { return corner(cell, true); }
 
   /// The next cell along an axis; `shift` is what the position changes by when the way leads through a periodic
   /// boundary. Behind a wall there is no cell: the same one again.
@@ -94,6 +97,16 @@ class Cells {
   static constexpr double kFewestPeriodic = 4;
   static constexpr std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
 
+  Vector<D> corner(std::uint32_t cell, bool up) const {
+    Vector<D> corner;
+    for (int axis = 0; axis < D; ++axis) corner[axis] = edge(cell, axis, up);
+    return corner;
+  }
+  /// Coordinate of the cell at `x` or, outside the box, of the nearest one.
+  std::uint32_t coordinate_at(double x, int axis) const {
+    return static_cast<std::uint32_t>(std::clamp(x * per_edge_[axis], 0.0, count_[index(axis)] - 1.0));
+  }
+
   /// Places of the three neighbours along each axis, to be added up.
   using Offsets = std::array<std::array<std::uint32_t, 3>, D>;
 
@@ -121,6 +134,25 @@ class Cells {
   std::array<std::uint32_t, D> count_, stride_, before_first_, after_last_;
   Column<std::uint32_t> head_;
 };
+
+/// One cell more to either side: rounding does not hide any.
+template <int D>
+template <class Visit>
+void Cells<D>::for_each_between(const Vector<D>& low, const Vector<D>& high, Visit visit) const {
+  if (!(low.array() <= high.array()).all()) return;
+  std::array<std::uint32_t, D> first, last, here;
+  for (int axis = 0; axis < D; ++axis) {
+    first[index(axis)] = coordinate_at(low[axis] - edge_[axis], axis);
+    last[index(axis)] = coordinate_at(high[axis] + edge_[axis], axis);
+  }
+  here = first;
+  for (std::size_t axis = 0; axis < D;) {
+    std::uint32_t cell = 0;
+    for (std::size_t a = 0; a < D; ++a) cell |= here[a] << (kBits * a);
+    visit(cell);
+    for (axis = 0; axis < D && here[axis]++ == last[axis]; ++axis) here[axis] = first[axis];
+  }
+}
 
 extern template class Cells<2>;
 extern template class Cells<3>;

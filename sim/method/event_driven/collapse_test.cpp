@@ -91,7 +91,7 @@ TEST(Collapse, TheContactTimeModelGoesThrough) {
   EXPECT_NEAR(momentum(*gas).norm(), 0, 1e-15);
 
   auto dropped = guarded;
-  dropped.parameters.faults.guard_dropped = true;
+  dropped.parameters.contact_time = 0;
   EXPECT_THROW(dropped.make()->step(10, 0), RunError);
 }
 

@@ -48,7 +48,7 @@ std::vector<std::uint32_t> order_by_cell(const Gas<D>& gas, const Cells<D>& cell
 template <int D>
 double speed_scale(const Gas<D>& gas) {
   double square = 0;
-  for (const Body<D>& body : gas.bodies) square += body.velocity.squaredNorm();
+  for (const Particle<D>& particle : gas.particles) square += particle.velocity.squaredNorm();
   return gas.size() > 0 ? std::sqrt(square / gas.size()) : 0;
 }
 

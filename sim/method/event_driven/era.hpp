@@ -2,19 +2,9 @@
 
 #include "sim/method/event_driven/cells.hpp"
 #include "sim/method/event_driven/gas.hpp"
+#include "sim/method/event_driven/progress.hpp"
 
 namespace sandglass::event_driven {
-
-/// The row of buckets of one era: so long that a particle has about a dozen events in it, so fine that a bucket holds
-/// few. Both follow from the events to come, and so go along as a gas cools.
-struct Era {
-  double width = HUGE_VAL;
-  std::size_t buckets = 1;
-  /// A cluster near collapse has most of the events to itself: the era ends after these, or what its events have left
-  /// behind in the calendar would grow without bound.
-  std::uint64_t most_events = std::uint64_t{1} << 53;
-  double end() const { return width * static_cast<double>(buckets); }
-};
 
 /// The era that begins at time zero. One without an end when nothing will ever happen.
 template <int D>

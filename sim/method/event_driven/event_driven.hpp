@@ -9,10 +9,7 @@
 
 namespace sandglass::event_driven {
 
-template <int D>
-using Agents = std::vector<std::unique_ptr<Agent<D>>>;
-
-/// Event-driven hard disks or spheres, compiled for what the scene needs. `trace`, if any, hears of every event and must
+/// Event-driven hard disks or spheres, compiled for what the scene needs. `trace`, if any, takes every event and must
 /// outlive the simulator.
 template <int D>
 std::unique_ptr<Simulator<D>> make_event_driven(const Parameters<D>& parameters, Agents<D> agents,

@@ -31,11 +31,11 @@ inline double time_to_exit(double x, double v, double g, double face, double out
 /// First exit after `now`. A straight flight is followed from its beginning, so that every look gives the same time; a
 /// parabola may come back through the wall where it came in, and is followed from now.
 template <int D, class Flight>
-Exit first_exit(const Cells<D>& cells, const Flight& flight, const Body<D>& body, std::uint32_t cell,
+Exit first_exit(const Cells<D>& cells, const Flight& flight, const Particle<D>& particle, std::uint32_t cell,
                 double now) {
   Exit exit;
   if constexpr (Flight::falls) {
-    const Vector<D> position = flight.position(body, now), velocity = flight.velocity(body, now);
+    const Vector<D> position = flight.position(particle, now), velocity = flight.velocity(particle, now);
     for (int axis = 0; axis < D; ++axis) {
       const double x = position[axis], v = velocity[axis], g = flight.acceleration(axis);
       const double down = time_to_exit(x, v, g, cells.edge(cell, axis, false), -1, now);
@@ -44,10 +44,10 @@ Exit first_exit(const Cells<D>& cells, const Flight& flight, const Body<D>& body
     }
   } else {
     for (int axis = 0; axis < D; ++axis) {
-      const double v = body.velocity[axis];
+      const double v = particle.velocity[axis];
       const bool up = v > 0;
       const double edge = cells.edge(cell, axis, up);
-      const double time = v != 0 ? body.time + (edge - body.position[axis]) / v : HUGE_VAL;
+      const double time = v != 0 ? particle.time + (edge - particle.position[axis]) / v : HUGE_VAL;
       const bool sooner = time < exit.time;
       exit.time = sooner ? time : exit.time;
       exit.axis = sooner ? axis : exit.axis;

@@ -46,16 +46,17 @@ template <int D, class Axes>
 struct Motion : Axes {
   using Axes::Axes;
 
-  Vector<D> position(const Body<D>& body, double now) const {
+  Vector<D> position(const Particle<D>& particle, double now) const {
     Vector<D> position;
     for (int axis = 0; axis < D; ++axis)
-      position[axis] = this->place(body.position[axis], body.velocity[axis], now - body.time, axis);
+      position[axis] =
+          this->place(particle.position[axis], particle.velocity[axis], now - particle.time, axis);
     return position;
   }
-  Vector<D> velocity(const Body<D>& body, double now) const {
+  Vector<D> velocity(const Particle<D>& particle, double now) const {
     Vector<D> velocity;
     for (int axis = 0; axis < D; ++axis)
-      velocity[axis] = this->speed(body.velocity[axis], now - body.time, axis);
+      velocity[axis] = this->speed(particle.velocity[axis], now - particle.time, axis);
     return velocity;
   }
 };
@@ -65,13 +66,13 @@ using Straight = Motion<D, StraightAxes<D>>;
 template <int D>
 using Falling = Motion<D, FallingAxes<D>>;
 
-/// Brings a body to `now`.
+/// Brings a particle to `now`.
 template <int D, class Flight>
-void advance(const Flight& flight, Body<D>& body, double now) {
-  const Vector<D> position = flight.position(body, now);
-  body.velocity = flight.velocity(body, now);
-  body.position = position;
-  body.time = now;
+void advance(const Flight& flight, Particle<D>& particle, double now) {
+  const Vector<D> position = flight.position(particle, now);
+  particle.velocity = flight.velocity(particle, now);
+  particle.position = position;
+  particle.time = now;
 }
 
 }  // namespace sandglass::event_driven

@@ -1,5 +1,8 @@
 #include "sim/method/event_driven/gas.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sandglass::event_driven {
 
 namespace {
@@ -18,24 +21,25 @@ void permute(T& column, const std::vector<std::uint32_t>& order) {
 }  // namespace
 
 template <int D>
-void Gas<D>::assign(const Particles<D>& particles, const Parameters<D>& parameters) {
-  const std::size_t count = particles.phases.size();
-  bodies.resize(count);
+void Gas<D>::assign(const Particles<D>& start, const OptionalColumns& columns) {
+  const std::size_t count = start.phases.size();
+  particles.resize(count);
   for (std::size_t i = 0; i < count; ++i)
-    bodies[i] = {particles.phases[i].position, particles.phases[i].velocity, 0, 0, kNobody};
+    particles[i] = {start.phases[i].position, start.phases[i].velocity, 0, 0, kNobody};
   next.assign(count, {HUGE_VAL, HUGE_VAL, kNobody, 0, 0, 0});
-  spins.assign(parameters.rough ? count : 0, Spin<D>::Zero());
-  if (parameters.rough) std::copy(particles.spins.begin(), particles.spins.end(), spins.begin());
-  species.assign(parameters.species.size() > 1 ? count : 0, 0);
-  if (!species.empty()) std::copy(particles.species.begin(), particles.species.end(), species.begin());
-  last_contact.assign(parameters.contact_time > 0 ? count : 0, -HUGE_VAL);
-  ids.resize(parameters.keep_ids ? count : 0);
-  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = particles.ids.empty() ? i : particles.ids[i];
+  spins.assign(columns.spins ? count : 0, Spin<D>::Zero());
+  if (columns.spins) std::ranges::copy(start.columns.get(column::spin<D>), spins.begin());
+  species.assign(columns.species ? count : 0, 0);
+  if (columns.species) std::ranges::copy(start.columns.get(column::species), species.begin());
+  last_contact.assign(columns.last_contact ? count : 0, -HUGE_VAL);
+  ids.resize(columns.ids ? count : 0);
+  const auto given = start.columns.get(column::id);
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = given.empty() ? i : given[i];
 }
 
 template <int D>
 void Gas<D>::reorder(const std::vector<std::uint32_t>& order) {
-  permute(bodies, order);
+  permute(particles, order);
   permute(next, order);
   permute(spins, order);
   permute(species, order);
@@ -49,7 +53,7 @@ void Gas<D>::reorder(const std::vector<std::uint32_t>& order) {
 
 template <int D>
 void Gas<D>::rebase(double origin) {
-  for (Body<D>& body : bodies) body.time -= origin;
+  for (Particle<D>& particle : particles) particle.time -= origin;
   for (Next& event : next) {
     event.time -= origin;
     event.contact -= origin;
@@ -59,7 +63,7 @@ void Gas<D>::rebase(double origin) {
 
 template <int D>
 std::size_t Gas<D>::bytes() const {
-  return held(bodies) + held(next) + held(spins) + held(species) + held(last_contact) + held(ids);
+  return held(particles) + held(next) + held(spins) + held(species) + held(last_contact) + held(ids);
 }
 
 template struct Gas<2>;

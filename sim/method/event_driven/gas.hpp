@@ -1,24 +1,29 @@
 #pragma once
 
-#include "sim/method/event_driven/parameters.hpp"
+#include "sim/method/event_driven/particle.hpp"
 #include "sim/method/simulator.hpp"
 
 namespace sandglass::event_driven {
 
+/// Columns beside those that every gas has.
+struct OptionalColumns {
+  bool spins = false, species = false, last_contact = false, ids = false;
+};
+
 /// The particles, sorted by cell at the beginning of each era. Columns that the scene does not need stay empty.
 template <int D>
 struct Gas {
-  Column<Body<D>> bodies;
+  Column<Particle<D>> particles;
   Column<Next> next;
   Column<Spin<D>> spins;           ///< rough particles
   Column<std::uint8_t> species;    ///< several species
   Column<double> last_contact;     ///< TC model
   std::vector<std::uint64_t> ids;  ///< if they are kept
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(bodies.size()); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(particles.size()); }
   std::size_t kind(std::uint32_t particle) const { return species.empty() ? 0 : species[particle]; }
 
-  void assign(const Particles<D>& particles, const Parameters<D>& parameters);
+  void assign(const Particles<D>& start, const OptionalColumns& columns);
   /// Puts the particle of place `order[i]` at place i, and renames the partners.
   void reorder(const std::vector<std::uint32_t>& order);
   /// Lets all times count from `origin`.

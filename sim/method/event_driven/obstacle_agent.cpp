@@ -6,20 +6,26 @@
 namespace sandglass::event_driven {
 
 template <int D>
-bool ObstacleAgent<D>::reaches(const Vector<D>& low, const Vector<D>& high) const {
-  const Vector<D> nearest = centre_.cwiseMax(low).cwiseMin(high);
-  return (nearest - centre_).norm() <= reach_ * (1 + 1e-9);
+Box<D> ObstacleAgent<D>::reach() const {
+  return {centre_.array() - reach_, centre_.array() + reach_};
 }
 
 template <int D>
-double ObstacleAgent<D>::delay(const Guest<D>& guest, double) const {
-  return time_to_obstacle<D>(guest.position - centre_, guest.velocity, gravity_, radius_ + guest.radius);
+bool ObstacleAgent<D>::reaches(const Box<D>& cell) const {
+  const Vector<D> nearest = centre_.cwiseMax(cell.low).cwiseMin(cell.high);
+  return (nearest - centre_).norm() <= reach_;
 }
 
 template <int D>
-bool ObstacleAgent<D>::act(Guest<D>& guest, double, Random& random) {
-  const Vector<D> normal = (guest.position - centre_).normalized();
-  bounce<D>(rule_, normal, Vector<D>::Zero(), guest, random);
+double ObstacleAgent<D>::delay(const ParticleState<D>& particle, double) const {
+  return time_to_obstacle<D>(particle.position - centre_, particle.velocity, gravity_,
+                             radius_ + particle.radius);
+}
+
+template <int D>
+bool ObstacleAgent<D>::act(ParticleState<D>& particle, double, Random& random) {
+  const Vector<D> normal = (particle.position - centre_).normalized();
+  bounce<D>(rule_, normal, Vector<D>::Zero(), particle, random);
   return true;
 }
 

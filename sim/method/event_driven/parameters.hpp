@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/event_driven/cells.hpp"
+#include "sim/method/event_driven/faults.hpp"
 #include "sim/observe/view.hpp"
 #include "sim/physics/contact.hpp"
 
@@ -9,15 +10,6 @@
 #include <vector>
 
 namespace sandglass::event_driven {
-
-/// Faults that the mutant suite plants.
-struct Faults {
-  double momentum_leak = 0;     ///< the second partner's kick is this part short
-  bool stale_partner = false;   ///< a predicted contact is carried out whatever its partner did meanwhile
-  bool blind_crossing = false;  ///< who enters a cell does not look ahead
-  bool guard_dropped = false;   ///< no collapse guard
-  double wall_restitution = 1;  ///< factor on the normal restitution of walls and obstacles
-};
 
 template <int D>
 struct Parameters {
@@ -31,8 +23,10 @@ struct Parameters {
   std::size_t impact_bins = 0;
   bool keep_ids = false;
   std::uint64_t particles = 0;           ///< how many there will be, for the size of the cells
+  std::uint64_t obstacles = 0;           ///< likewise
   std::vector<Plane>* planes = nullptr;  ///< those that agents count for
   Faults faults;
+  AgentFaults agent_faults;
 
   const Surface& surface(std::size_t a, std::size_t b) const { return surfaces[a * species.size() + b]; }
   double largest_diameter() const {
@@ -43,8 +37,9 @@ struct Parameters {
   /// Contacts reach into the neighbouring cells only. In a thin gas larger cells, with about two particles in three of
   /// them, balance the crossings against the candidates of a search; but six along a periodic axis if they fit, so that
   /// particles of neighbouring cells stay clear of half a box apart, where rounding would choose between two images.
+  /// Among many obstacles smaller ones, with about ten of these.
   double cell_edge() const {
-    const double count = static_cast<double>(std::max<std::uint64_t>(particles, 1));
+    const double count = static_cast<double>(std::max({particles, obstacles / 16, std::uint64_t{1}}));
     double edge = 0.8 * std::pow(geometry.box.prod() / count, 1.0 / D);
     for (int axis = 0; axis < D; ++axis)
       if (geometry.periodic[static_cast<std::size_t>(axis)]) edge = std::min(edge, geometry.box[axis] / 6);

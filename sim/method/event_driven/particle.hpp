@@ -8,24 +8,26 @@
 
 namespace sandglass::event_driven {
 
+/// A partner's number: below this a particle, from here on an agent.
+inline constexpr std::uint32_t kFirstAgent = std::uint32_t{1} << 31;
 inline constexpr std::uint32_t kNobody = ~std::uint32_t{0};
 
-/// A particle on its way, at the time of its last change: what everybody near it has to read. One cache line.
+/// A particle on its way, at the time of its last change: what those near it have to read. One cache line.
 template <int D>
-struct alignas(64) Body {
+struct alignas(64) Particle {
   Vector<D> position, velocity;
   double time;
   std::uint32_t changes;  ///< of its flight; predictions made before the last one are out of date
   std::uint32_t below;    ///< the next particle in the same cell, or nobody
 };
 
-/// Four bodies, each number of theirs side by side. Reads the lines whole.
+/// Four particles, each number of theirs side by side. Reads the lines whole.
 template <int D>
 class Columns {
  public:
-  Columns(const Body<D>* bodies, const std::array<std::uint32_t, 4>& which) {
+  Columns(const Particle<D>* particles, const std::array<std::uint32_t, 4>& which) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto* numbers = reinterpret_cast<const double*>(bodies + which[k]);
+      const auto* numbers = reinterpret_cast<const double*>(particles + which[k]);
       low_[k] = read_quad(numbers);
       high_[k] = read_quad(numbers + 4);
     }
@@ -50,8 +52,5 @@ struct Next {
   std::uint32_t cell;             ///< where the particle is
   std::uint32_t exit;             ///< by which it leaves that cell: twice the axis, one more for upwards
 };
-
-/// Partner numbers from here on mean agents.
-inline constexpr std::uint32_t kFirstAgent = 0xffffff00u;
 
 }  // namespace sandglass::event_driven

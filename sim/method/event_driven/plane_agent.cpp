@@ -6,17 +6,18 @@ namespace sandglass::event_driven {
 
 /// Strictly after now: who has just passed stands on the plane.
 template <int D>
-double PlaneAgent<D>::delay(const Guest<D>& guest, double) const {
-  const double x = guest.position[plane_->axis()] - plane_->position(), v = guest.velocity[plane_->axis()];
+double PlaneAgent<D>::delay(const ParticleState<D>& particle, double) const {
+  const double x = particle.position[plane_->axis()] - plane_->position(),
+               v = particle.velocity[plane_->axis()];
   if (gravity_ == 0) return x * v < 0 ? -x / v : HUGE_VAL;
   if (x != 0) return time_to_wall(x, v, gravity_, 0, x < 0 ? 1 : -1);
   return v * gravity_ < 0 ? -2 * v / gravity_ : HUGE_VAL;
 }
 
 template <int D>
-bool PlaneAgent<D>::act(Guest<D>& guest, double, Random&) {
-  guest.position[plane_->axis()] = plane_->position();
-  plane_->count(guest.velocity[plane_->axis()]);
+bool PlaneAgent<D>::act(ParticleState<D>& particle, double, Random&) {
+  particle.position[plane_->axis()] = plane_->position();
+  plane_->count(particle.velocity[plane_->axis()]);
   return false;
 }
 

@@ -11,11 +11,13 @@ class PlaneAgent final : public Agent<D> {
  public:
   PlaneAgent(Plane* plane, const Vector<D>& gravity) : plane_(plane), gravity_(gravity[plane->axis()]) {}
 
-  bool reaches(const Vector<D>& low, const Vector<D>& high) const override {
-    return low[plane_->axis()] <= plane_->position() && plane_->position() <= high[plane_->axis()];
+  Box<D> reach() const override {
+    Box<D> box = Box<D>::everywhere();
+    box.low[plane_->axis()] = box.high[plane_->axis()] = plane_->position();
+    return box;
   }
-  double delay(const Guest<D>& guest, double now) const override;
-  bool act(Guest<D>& guest, double now, Random& random) override;
+  double delay(const ParticleState<D>& particle, double now) const override;
+  bool act(ParticleState<D>& particle, double now, Random& random) override;
 
  private:
   Plane* plane_;
@@ -30,9 +32,9 @@ class TimerAgent final : public Agent<D> {
       : first_(first), interval_(interval), action_(std::move(action)) {}
 
   double next() const override { return first_ + static_cast<double>(count_) * interval_; }
-  void act(Gathering<D>& gathering, double now) override {
+  void act(ParticleAccess<D>& particles, double now) override {
     ++count_;
-    action_(gathering, now);
+    action_(particles, now);
   }
   std::vector<double> save() const override { return {static_cast<double>(count_)}; }
   void load(const std::vector<double>& state) override { count_ = static_cast<std::uint64_t>(state.at(0)); }

@@ -14,7 +14,7 @@ class Prefetch {
  public:
   /// Pays from about this size on.
   static bool pays(std::size_t particles) {
-    return particles * (sizeof(Body<D>) + sizeof(Next)) > (2u << 20);
+    return particles * (sizeof(Particle<D>) + sizeof(Next)) > (2u << 20);
   }
 
   void operator()(const Gas<D>& gas, const Cells<D>& cells, const EventCalendar& calendar) {
@@ -40,10 +40,10 @@ class Prefetch {
   }
   static void fetch_particle(const Gas<D>& gas, std::uint32_t particle) {
     __builtin_prefetch(&gas.next[particle]);
-    __builtin_prefetch(&gas.bodies[particle]);
+    __builtin_prefetch(&gas.particles[particle]);
   }
   void fetch_found(const Gas<D>& gas) {
-    for (std::uint32_t k = 0; k < near_.size(); ++k) __builtin_prefetch(&gas.bodies[near_[k]]);
+    for (std::uint32_t k = 0; k < near_.size(); ++k) __builtin_prefetch(&gas.particles[near_[k]]);
   }
   void fetch_around(const Gas<D>& gas, const Cells<D>& cells, std::uint32_t cell) {
     cells.heads_around(cell, near_);

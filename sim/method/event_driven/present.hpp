@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/method/event_driven/agent.hpp"
 #include "sim/method/event_driven/cells.hpp"
+#include "sim/method/event_driven/particle_state.hpp"
 #include "sim/observe/view.hpp"
 #include "sim/space/flight.hpp"
 
@@ -11,13 +11,13 @@ namespace sandglass::event_driven {
 template <int D>
 class Present {
  public:
-  /// `guest` gives a particle as it is now.
+  /// `state` gives a particle as it is now.
   template <class Read>
-  void take(std::uint32_t size, const Geometry<D>& geometry, Read guest) {
+  void take(std::uint32_t size, const Geometry<D>& geometry, Read state) {
     box_ = geometry.box;
     phases_.resize(size);
     for (std::uint32_t i = 0; i < size; ++i) {
-      const Guest<D> now = guest(i);
+      const ParticleState<D> now = state(i);
       phases_[i] = {now.position, now.velocity};
       for (int axis = 0; axis < D; ++axis)
         if (geometry.periodic[static_cast<std::size_t>(axis)])

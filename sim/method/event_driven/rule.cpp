@@ -13,19 +13,18 @@ Impact<D> CollisionRule<D>::apply_general(Gas<D>& gas, std::uint32_t first, std:
     surface.normal = {1, 0};
     ++guarded;
   }
-  remember(gas, first, now);
-  remember(gas, second, now);
-  Vector<D>& velocity_1 = gas.bodies[first].velocity;
-  Vector<D>& velocity_2 = gas.bodies[second].velocity;
+  set_last_contact(gas, first, now);
+  set_last_contact(gas, second, now);
+  Vector<D>& velocity_1 = gas.particles[first].velocity;
+  Vector<D>& velocity_2 = gas.particles[second].velocity;
   Spin<D> rest_1 = Spin<D>::Zero(), rest_2 = Spin<D>::Zero();
   const bool spins = parameters_.rough;
   const Partner<D> partner_1{velocity_1, spins ? gas.spins[first] : rest_1, 1 / traits_1.mass,
                              spins ? 1 / traits_1.inertia : 0, traits_1.diameter / 2};
   const Partner<D> partner_2{velocity_2, spins ? gas.spins[second] : rest_2, 1 / traits_2.mass,
                              spins ? 1 / traits_2.inertia : 0, traits_2.diameter / 2};
-  const Vector<D> before = velocity_1, before_2 = velocity_2;
+  const Vector<D> before = velocity_1;
   sandglass::collide<D>(surface, normal, partner_1, partner_2);
-  velocity_2 += parameters_.faults.momentum_leak * (before_2 - velocity_2);
   return {traits_1.mass * (velocity_1 - before), approach};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/event_driven/gas.hpp"
+#include "sim/method/event_driven/parameters.hpp"
 #include "sim/physics/contact.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ struct Impact {
 /// Rounding must not leave a pair that has collided on its way into each other: it would collide again at once, with
 /// kicks too small to change anything. A push by the last digits.
 template <int D>
-void part(const Vector<D>& normal, Vector<D>& velocity_1, Vector<D>& velocity_2) {
+void make_receding(const Vector<D>& normal, Vector<D>& velocity_1, Vector<D>& velocity_2) {
   const auto stays = [&] {
     const Vector<D> relative = velocity_1 - velocity_2;
     const double leaving = relative.dot(normal);
@@ -49,23 +50,22 @@ class CollisionRule {
   /// Both partners stand where they touch; `normal` points from the second to the first. `now` is for the TC model.
   Impact<D> apply(Gas<D>& gas, std::uint32_t first, std::uint32_t second, const Vector<D>& normal, double now,
                   std::uint64_t& guarded) const {
-    Vector<D>& velocity_1 = gas.bodies[first].velocity;
-    Vector<D>& velocity_2 = gas.bodies[second].velocity;
+    Vector<D>& velocity_1 = gas.particles[first].velocity;
+    Vector<D>& velocity_2 = gas.particles[second].velocity;
     const double approach = (velocity_2 - velocity_1).dot(normal);
     if (!simple_) return apply_general(gas, first, second, normal, approach, now, guarded);
     const Vector<D> kick = half_kick_ * std::max(approach, 0.0) * normal;
     velocity_1 += kick;
-    velocity_2 -= (1 - parameters_.faults.momentum_leak) * kick;
+    velocity_2 -= kick;
     return {parameters_.species.front().mass * kick, approach};
   }
 
   /// Whether the TC model makes the next contact of a particle elastic (Luding & McNamara 1998), with whatever it is.
   bool guards(const Gas<D>& gas, std::uint32_t particle, double now) const {
-    return !gas.last_contact.empty() && now - gas.last_contact[particle] < parameters_.contact_time &&
-           !parameters_.faults.guard_dropped;
+    return !gas.last_contact.empty() && now - gas.last_contact[particle] < parameters_.contact_time;
   }
-  /// Notes a contact for the TC model.
-  void remember(Gas<D>& gas, std::uint32_t particle, double now) const {
+  /// For the TC model.
+  void set_last_contact(Gas<D>& gas, std::uint32_t particle, double now) const {
     if (!gas.last_contact.empty()) gas.last_contact[particle] = now;
   }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "sim/method/event_driven/candidates.hpp"
 #include "sim/method/event_driven/contact_time.hpp"
 #include "sim/method/event_driven/flight.hpp"
 #include "sim/method/event_driven/gas.hpp"
+#include "sim/method/event_driven/parameters.hpp"
 #include "sim/space/quad.hpp"
 
 namespace sandglass::event_driven {
@@ -41,14 +43,14 @@ class ContactSearch {
   /// `best` goes in with the earliest contact known so far. The particle itself may be among the candidates.
   void earliest(const Gas<D>& gas, std::uint32_t particle, Candidates& near, double now,
                 Contact& best) const {
-    const Body<D>& body = gas.bodies[particle];
-    const Seeker seeker{flight_.position(body, now), flight_.velocity(body, now), radius_[gas.kind(particle)],
-                        now};
+    const Particle<D>& known = gas.particles[particle];
+    const Moving self{flight_.position(known, now), flight_.velocity(known, now),
+                      radius_[gas.kind(particle)]};
     Quad first = Quad{} + HUGE_VAL;
     WholeQuad partner{};
     while (near.more()) {
-      const Candidates::Four four = near.next(gas.bodies.data(), particle);
-      const Quad time = contact_times(gas, seeker, four);
+      const Candidates::Four four = near.next(gas.particles.data(), particle);
+      const Quad time = contact_times(gas, self, four, now);
       const WholeQuad who{four[0], four[1], four[2], four[3]};
       const WholeQuad sooner = (time < first) | ((time == first) & (who < partner));
       first = sooner ? time : first;
@@ -62,20 +64,22 @@ class ContactSearch {
   double reach(std::size_t a, std::size_t b) const { return radius_[a] + radius_[b]; }
 
  private:
-  struct Seeker {
+  /// The particle that searches, at the time of the search.
+  struct Moving {
     Vector<D> position, velocity;
-    double radius, now;
+    double radius;
   };
 
   /// Times of the contacts with four others.
-  Quad contact_times(const Gas<D>& gas, const Seeker& seeker, const Candidates::Four& others) const {
-    const Columns<D> body(gas.bodies.data(), others);
-    const Quad age = seeker.now - body.time();
+  Quad contact_times(const Gas<D>& gas, const Moving& self, const Candidates::Four& others,
+                     double now) const {
+    const Columns<D> four(gas.particles.data(), others);
+    const Quad age = now - four.time();
     Quad along{}, square{}, speed{};
     for (int axis = 0; axis < D; ++axis) {
-      const Quad v = body.velocity(axis);
-      const Quad r = seeker.position[axis] - flight_.place(body.position(axis), v, age, axis);
-      const Quad u = seeker.velocity[axis] - flight_.speed(v, age, axis);
+      const Quad v = four.velocity(axis);
+      const Quad r = self.position[axis] - flight_.place(four.position(axis), v, age, axis);
+      const Quad u = self.velocity[axis] - flight_.speed(v, age, axis);
       // Of two images half a box away the one that comes nearer.
       const Quad lean = u < 0 ? Quad{} - 1e-9 : Quad{} + 1e-9;
       const Quad x = r - box_[axis] * round_off(r * per_box_[axis] + lean);
@@ -83,11 +87,10 @@ class ContactSearch {
       square += x * x;
       speed += u * u;
     }
-    Quad sum = Quad{} + 2 * seeker.radius;
+    Quad sum = Quad{} + 2 * self.radius;
     if constexpr (Mixed)
-      for (std::size_t k = 0; k < others.size(); ++k)
-        sum[k] = seeker.radius + radius_[gas.species[others[k]]];
-    return seeker.now + contact_time(along, square - sum * sum, speed);
+      for (std::size_t k = 0; k < others.size(); ++k) sum[k] = self.radius + radius_[gas.species[others[k]]];
+    return now + contact_time(along, square - sum * sum, speed);
   }
 
   Flight flight_;

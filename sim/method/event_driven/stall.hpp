@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace sandglass::event_driven {
@@ -39,6 +40,9 @@ class StallMonitor {
   double latest_ = -HUGE_VAL;
   std::uint64_t at_once_ = 0, most_at_once_ = 1'000'000;
 };
+
+/// A particle by its identity, if it has one, and its place.
+std::string describe_particle(std::span<const double> position, const std::uint64_t* id);
 
 /// What a run says that collapsed; `first` and `second` name the pair.
 std::string collapse_message(double time, const std::string& first, const std::string& second, bool falling);

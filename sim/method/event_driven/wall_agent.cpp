@@ -14,28 +14,32 @@ WallAgent<D>::WallAgent(const WallPlace<D>& place, const WallRule& rule, const V
               place.high ? M_PI : 0} {}
 
 template <int D>
-bool WallAgent<D>::reaches(const Vector<D>& low, const Vector<D>& high) const {
-  if (motion_.speed != 0) return true;
+Box<D> WallAgent<D>::reach() const {
+  Box<D> box = Box<D>::everywhere();
+  if (motion_.speed != 0) return box;
   const double swing = std::fabs(motion_.amplitude) + place_.largest_radius;
-  return low[place_.axis] <= place_.edge + swing && high[place_.axis] >= place_.edge - swing;
+  box.low[place_.axis] = place_.edge - swing;
+  box.high[place_.axis] = place_.edge + swing;
+  return box;
 }
 
 template <int D>
-double WallAgent<D>::delay(const Guest<D>& guest, double now) const {
-  const double x = guest.position[place_.axis], height = inward_ * (x - place_.edge) - guest.radius;
+double WallAgent<D>::delay(const ParticleState<D>& particle, double now) const {
+  const double x = particle.position[place_.axis], height = inward_ * (x - place_.edge) - particle.radius;
   // A ball that bounces ever lower would take the last digits of its place for a height to fall from.
-  const double rounding = 4e-16 * (std::fabs(x) + std::fabs(place_.edge) + guest.radius);
-  const Arc arc{std::fabs(height) <= rounding ? 0 : height, inward_ * guest.velocity[place_.axis], gravity_};
+  const double rounding = 4e-16 * (std::fabs(x) + std::fabs(place_.edge) + particle.radius);
+  const Arc arc{std::fabs(height) <= rounding ? 0 : height, inward_ * particle.velocity[place_.axis],
+                gravity_};
   return motion_.speed == 0 && !motion_.vibrates() ? time_to_fall(arc)
                                                    : time_to_plane(arc, motion_.from(now));
 }
 
 template <int D>
-bool WallAgent<D>::act(Guest<D>& guest, double now, Random& random) {
+bool WallAgent<D>::act(ParticleState<D>& particle, double now, Random& random) {
   const Vector<D> normal = inward_ * Vector<D>::Unit(place_.axis);
   Vector<D> surface = place_.velocity;
   surface[place_.axis] = inward_ * motion_.velocity_at(now);
-  bounce<D>(rule_, normal, surface, guest, random);
+  bounce<D>(rule_, normal, surface, particle, random);
   return true;
 }
 

@@ -6,7 +6,7 @@
 
 namespace sandglass::event_driven {
 
-/// One side of the box. It may move; particles meet it with their surface, not their centre.
+/// One side of the box. It may move; particles touch it with their surface, not their centre.
 template <int D>
 struct WallPlace {
   int axis = 0;
@@ -22,9 +22,10 @@ class WallAgent final : public Agent<D> {
  public:
   WallAgent(const WallPlace<D>& place, const WallRule& rule, const Vector<D>& gravity);
 
-  bool reaches(const Vector<D>& low, const Vector<D>& high) const override;
-  double delay(const Guest<D>& guest, double now) const override;
-  bool act(Guest<D>& guest, double now, Random& random) override;
+  Box<D> reach() const override;
+  double delay(const ParticleState<D>& particle, double now) const override;
+  bool draws() const override { return sandglass::draws(rule_); }
+  bool act(ParticleState<D>& particle, double now, Random& random) override;
 
  private:
   WallPlace<D> place_;
