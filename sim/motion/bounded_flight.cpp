@@ -172,13 +172,13 @@ void BoundedFlight<D>::place_on(const Event& event, double time, Vector<D>& x) c
 
 template <int D>
 void BoundedFlight<D>::turn_at(const Event& event, double time, Phase<D>& particle, Random& random) const {
-  const WallVisitor<D> visitor{particle.velocity, nullptr, surfaces_.parameters.mass, 0, 1};
+  const ParticleAtWall<D> at_wall{particle.velocity, nullptr, surfaces_.parameters.mass, 0, 1};
   if (event.kind == Event::Kind::wall) {
     const WallSurface<D>& wall = surfaces_.walls[event.index];
-    reflect<D>(wall.place.rule, wall.normal(), wall.velocity_at(time), visitor, random);
+    reflect<D>(wall.place.rule, wall.normal(), wall.velocity_at(time), at_wall, random);
   } else {
     const ObstaclePlace<D>& obstacle = surfaces_.parameters.obstacles[event.index];
-    reflect<D>(obstacle.rule, (particle.position - obstacle.centre).normalized(), Vector<D>::Zero(), visitor,
+    reflect<D>(obstacle.rule, (particle.position - obstacle.centre).normalized(), Vector<D>::Zero(), at_wall,
                random);
   }
 }
