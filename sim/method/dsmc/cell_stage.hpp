@@ -15,8 +15,8 @@ struct CellNeeds {
   bool density = false, velocity = false, energy = false;
 };
 
-/// Numbers per cell, those that the coming stage needs; the others are empty. A stage may write to them, and keeps columns of its
-/// own in itself.
+/// Numbers per cell, those that the coming stage needs; the others are empty. A stage may write to them, and keeps columns
+/// of its own in itself.
 template <int D>
 struct CellFields {
   std::vector<double> density;      ///< simulated particles per area or volume
