@@ -12,13 +12,6 @@ std::string summary_of(const std::string& mutation) {
   return "";
 }
 
-const CheckUse* use_of(const Case& subject, const Mutant& mutant) {
-  for (const CheckUse& use : subject.checks)
-    if (use.check == mutant.check && use.where.holds(mutant.point, mutant.variant)) return &use;
-  throw InputError("case '" + subject.name + "': mutant '" + mutant.mutation + "' names the check '" +
-                   mutant.check + "', which the case does not make at point '" + mutant.point +
-                   "' of variant '" + mutant.variant + "': add the check there or name another");
-}
 }  // namespace
 
 Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mutant) {
@@ -26,7 +19,7 @@ Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mut
           mutant.variant,
           mutant.point,
           scene_of(subject, tier, mutant.variant, mutant.point, mutant.set),
-          {use_of(subject, mutant)}};
+          {subject.use_of(mutant.check, mutant.point, mutant.variant)}};
 }
 
 MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confidence& confidence) {
@@ -36,6 +29,7 @@ MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confiden
   options.mutation.name = mutant.mutation;
   CheckUse use = *task.checks.front();
   use.limits.clear();
+  for (const auto& [name, value] : mutant.numbers) use.settings.numbers[name] = value;
   Task honest = task;
   honest.checks = {&use};
   try {
