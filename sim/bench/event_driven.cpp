@@ -101,9 +101,9 @@ void collisions(benchmark::State& state, Feature feature) {
   const auto done = static_cast<double>(gas->tally().collisions - before);
   state.counters["collisions_per_second"] = benchmark::Counter(done, benchmark::Counter::kIsRate);
   state.counters["crossings_per_collision"] =
-      static_cast<double>(gas->tally().crossings) / static_cast<double>(gas->tally().collisions);
+      gas->counters().at("cell-crossings") / static_cast<double>(gas->tally().collisions);
   state.counters["searches_per_collision"] =
-      static_cast<double>(gas->tally().predictions) / static_cast<double>(gas->tally().collisions);
+      gas->counters().at("predictions") / static_cast<double>(gas->tally().collisions);
   state.counters["bytes_per_particle"] =
       static_cast<double>(gas->bytes()) / static_cast<double>(parameters.particles);
 }

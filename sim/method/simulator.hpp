@@ -2,9 +2,7 @@
 
 #include "sim/observe/view.hpp"
 
-#include <map>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace sandglass {
@@ -30,10 +28,14 @@ class Simulator {
   /// Particles, cells and counters; time and step are the run's to fill in.
   virtual View<D> view() = 0;
   virtual std::span<const std::uint64_t> ids() const = 0;
+  /// Particles that it holds now.
+  virtual std::uint64_t size() const = 0;
   virtual Tally& tally() = 0;
-  /// What a bitwise restart needs beside the view, by name; and back, after assign().
-  virtual std::map<std::string, std::vector<double>> save() const { return {}; }
-  virtual void load(const std::map<std::string, std::vector<double>>&) {}
+  /// Counts of this method alone since time zero, by the name that they have in a record.
+  virtual std::map<std::string, double> counters() const { return {}; }
+  /// What a bitwise restart needs beside the view and the tally; and back, after assign().
+  virtual Memory save() const { return {}; }
+  virtual void load(const Memory&) {}
   /// Bytes held, everything included.
   virtual std::size_t bytes() const = 0;
 };

@@ -122,17 +122,11 @@ Frame ReplicaRun<D>::frame() {
 template <int D>
 std::map<std::string, double> ReplicaRun<D>::counters() {
   const Tally& tally = simulator_->tally();
-  std::map<std::string, double> counters = {{"steps", static_cast<double>(clock_.step)},
-                                            {"collisions", static_cast<double>(tally.collisions)},
-                                            {"candidates", static_cast<double>(tally.candidates)},
-                                            {"bound-raised", static_cast<double>(tally.bound_raised)},
-                                            {"particle-moves", static_cast<double>(tally.moves)}};
-  if (is_event_driven(scene_)) {
-    counters["cell-crossings"] = static_cast<double>(tally.crossings);
-    counters["predictions"] = static_cast<double>(tally.predictions);
-    counters["guarded-collisions"] = static_cast<double>(tally.guarded);
-    counters["deepest-overlap"] = tally.deepest_overlap;
-  }
+  std::map<std::string, double> counters = simulator_->counters();
+  counters["steps"] = static_cast<double>(clock_.step);
+  counters["collisions"] = static_cast<double>(tally.collisions);
+  counters["candidates"] = static_cast<double>(tally.candidates);
+  counters["particle-moves"] = static_cast<double>(tally.moves);
   return counters;
 }
 
@@ -141,8 +135,7 @@ State ReplicaRun<D>::save() {
   if (trace_) trace_->flush();
   State state{clock_.step, clock_.time, frame(), {}, counters(), simulator_->save()};
   state.particles.spin.clear();  // the method's memory holds them
-  state.memory["impact"] = {simulator_->tally().impact.begin(), simulator_->tally().impact.end()};
-  state.memory["transfer"] = simulator_->tally().transfer.save();
+  simulator_->tally().save(state.memory);
   state.memory["time-step"] = stepper_.save();
   for (std::size_t i = 0; i < planes_.size(); ++i)
     state.memory[fmt::format("plane-{}", i)] = planes_[i].save();
@@ -163,19 +156,7 @@ void ReplicaRun<D>::load(const State& state) {
   if (!is_reservoir(scene_)) simulator_->assign({std::move(particles), {}, {}, state.particles.id});
   simulator_->load(state.memory);
   Tally& tally = simulator_->tally();
-  tally.collisions = static_cast<std::uint64_t>(state.counters.at("collisions"));
-  tally.candidates = static_cast<std::uint64_t>(state.counters.at("candidates"));
-  tally.bound_raised = static_cast<std::uint64_t>(state.counters.at("bound-raised"));
-  tally.moves = static_cast<std::uint64_t>(state.counters.at("particle-moves"));
-  tally.transfer = ExactSum::load(state.memory.at("transfer"));
-  const std::vector<double>& impact = state.memory.at("impact");
-  tally.impact.assign(impact.begin(), impact.end());
-  if (is_event_driven(scene_)) {
-    tally.crossings = static_cast<std::uint64_t>(state.counters.at("cell-crossings"));
-    tally.predictions = static_cast<std::uint64_t>(state.counters.at("predictions"));
-    tally.guarded = static_cast<std::uint64_t>(state.counters.at("guarded-collisions"));
-    tally.deepest_overlap = state.counters.at("deepest-overlap");
-  }
+  tally.load(state.memory);
   stepper_.load(state.memory.at("time-step"));
   clock_ = {state.step, state.time, 0};
   if (setup_.particles > 0)

@@ -15,9 +15,15 @@ void read_sides(Table& table, Domain& domain) {
 }
 }  // namespace
 
-void read_domain(Table& table, Domain& domain) {
+void read_domain(Table& table, Domain& domain, std::vector<double>& proportions) {
   table.require("dimension", domain.dimension, "2 or 3");
-  table.require("size", domain.size, "edge lengths, one for each axis, for example size = [10.0, 10.0]");
+  table.read("size", domain.size);
+  if (table.has("size")) {
+    table.refuse("proportions", "is given beside 'size', which says it all; remove it");
+  } else {
+    proportions.assign(domain.dimension == 2 ? 2 : 3, 1.0);
+    table.read("proportions", proportions);
+  }
   domain.sides.assign(domain.dimension == 2 ? 2 : 3, {Side::periodic, Side::periodic});
   if (std::optional<Table> sides = table.table("sides")) read_sides(*sides, domain);
   table.finish();

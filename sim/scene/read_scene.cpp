@@ -42,16 +42,18 @@ void read_particles(Table& root, bool given, int dimension, Scene& scene) {
     root.report_missing("particle", "positions = \"given\" needs a table headed [[particle]] for each one");
 }
 
-Scene read_tables(Table& root) {
+Scene read_tables(Table& root, Diagnostics& diagnostics) {
   Scene scene;
   report_missing_tables(root);
   root.read("title", scene.title);
   read_section(root, "run", read_run, scene.run);
-  read_section(root, "domain", read_domain, scene.domain);
+  std::vector<double> proportions;
+  if (std::optional<Table> table = root.table("domain")) read_domain(*table, scene.domain, proportions);
+  const bool boxed = proportions.empty();
   const bool given = read_initial_section(root, scene.initial);
   const int dimension = root.clean("domain.dimension") ? scene.domain.dimension : 0;
   for (Table& table : root.tables("species"))
-    read_species(table, dimension, given, scene.species.emplace_back());
+    read_species(table, dimension, given, boxed, scene.species.emplace_back());
   read_section(root, "method", read_method, scene.method);
   read_section(root, "forces", read_forces, scene.gravity);
   for (Table& table : root.tables("wall")) read_wall(table, scene.walls.emplace_back());
@@ -59,6 +61,7 @@ Scene read_tables(Table& root) {
   read_particles(root, given, dimension, scene);
   for (Table& table : root.tables("observe")) read_observe(table, scene.observe.emplace_back());
   read_section(root, "output", read_output, scene.output);
+  if (!boxed) fit_box(proportions, scene, diagnostics);
   root.finish();
   return scene;
 }
@@ -79,7 +82,7 @@ Scene read_scene_text(const std::string& text, const std::string& file_name) {
     diagnostics.raise();
   }
   Table root(document, "", diagnostics);
-  Scene scene = read_tables(root);
+  Scene scene = read_tables(root, diagnostics);
   check_rules(scene, diagnostics);
   diagnostics.raise();
   drop_zero_gravity(scene.gravity);

@@ -9,10 +9,14 @@
 namespace sandglass {
 
 void read_run(Table& table, Run& run);
-void read_domain(Table& table, Domain& domain);
+/// `proportions`: of the edges, where the box follows from the particles; empty where the size is given.
+void read_domain(Table& table, Domain& domain, std::vector<double>& proportions);
+/// The box that holds the counted particles at their fraction; drops the fraction, which it now implies.
+void fit_box(const std::vector<double>& proportions, Scene& scene, Diagnostics& diagnostics);
 /// `dimension` decides between area and volume fraction; 0 when the domain does not tell it. `given`: the
-/// particles are listed one by one, and the species takes no amount.
-void read_species(Table& table, int dimension, bool given, Species& species);
+/// particles are listed one by one, and the species takes no amount. `boxed`: the domain has its size, and one
+/// amount is enough.
+void read_species(Table& table, int dimension, bool given, bool boxed, Species& species);
 void read_method(Table& table, Method& method);
 void read_forces(Table& table, std::vector<double>& gravity);
 void read_wall(Table& table, Wall& wall);

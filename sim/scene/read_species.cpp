@@ -17,10 +17,12 @@ void read_fraction(Table& table, int dimension, Species& species) {
 
 const std::vector<std::string> amounts = {"count", "area-fraction", "volume-fraction", "number-density"};
 
-void keep_one_amount(Table& table) {
+/// Beside 'count' a fraction is one amount too many, unless the size of the domain is to follow from the two.
+void keep_one_amount(Table& table, bool boxed) {
   std::vector<std::string> given;
   for (const std::string& key : amounts)
     if (table.has(key)) given.push_back(key);
+  if (!boxed && given.size() == 2 && given[0] == "count" && given[1].ends_with("fraction")) return;
   const std::string choice =
       "give exactly one of 'count', 'area-fraction' (2D), 'volume-fraction' (3D) or 'number-density'";
   if (given.empty()) table.report_missing("count", choice);
@@ -28,17 +30,17 @@ void keep_one_amount(Table& table) {
     table.refuse(given[i], "is given beside '" + given[0] + "'; " + choice);
 }
 
-void read_amount(Table& table, int dimension, Species& species) {
+void read_amount(Table& table, int dimension, bool boxed, Species& species) {
   table.read("count", species.count);
   read_fraction(table, dimension, species);
   table.read("number-density", species.number_density);
-  keep_one_amount(table);
+  keep_one_amount(table, boxed);
 }
 }  // namespace
 
-void read_species(Table& table, int dimension, bool given, Species& species) {
+void read_species(Table& table, int dimension, bool given, bool boxed, Species& species) {
   table.read("name", species.name);
-  if (!given) read_amount(table, dimension, species);
+  if (!given) read_amount(table, dimension, boxed, species);
   for (const std::string& key : amounts)
     if (given) table.refuse(key, "cannot be used with positions = \"given\": it follows from [[particle]]");
   table.read("diameter", species.diameter);

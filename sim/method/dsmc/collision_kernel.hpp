@@ -130,7 +130,7 @@ class CollisionKernel final : public CollisionStage<D> {
         // The rest of the step goes on with the higher bound and proportionally more candidates.
         left = 1 + selection_.whole((static_cast<double>(left) - 1) * std::sqrt(ratio), random);
         square_bound *= ratio;
-        ++step.tally->bound_raised;
+        ++*step.bound_raised;
       }
     }
     if constexpr (Transfer) step.tally->transfer.add(transfer);

@@ -20,6 +20,7 @@ struct CollisionStep {
   Phase<D>* particles;
   const std::uint32_t* offsets;
   Tally* tally;
+  std::uint64_t* bound_raised;  ///< collisions after which the bound on relative speeds had to rise
 };
 
 /// Collides the particles of a range of cells. One implementation per combination of policies, chosen once at assembly.

@@ -41,7 +41,7 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
   const double coefficient =
       parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
   collide_and_move(dt, {key, coefficient, factor_ ? factor_->values() : nullptr, store_.phases().data(),
-                        store_.offsets().data(), &tally_});
+                        store_.offsets().data(), &tally_, &bound_raised_});
   store_.sort();
   tally_.moves += store_.size();
 }
@@ -71,6 +71,21 @@ View<D> Dsmc<D>::view() {
   view.tally = &tally_;
   view.planes = motion_parameters_.planes;
   return view;
+}
+
+template <int D>
+std::map<std::string, double> Dsmc<D>::counters() const {
+  return {{"bound-raised", static_cast<double>(bound_raised_)}};
+}
+
+template <int D>
+Memory Dsmc<D>::save() const {
+  return {{"dsmc/bound-raised", {static_cast<double>(bound_raised_)}}};
+}
+
+template <int D>
+void Dsmc<D>::load(const Memory& memory) {
+  bound_raised_ = static_cast<std::uint64_t>(memory.at("dsmc/bound-raised").at(0));
 }
 
 template <int D>

@@ -23,7 +23,11 @@ class Dsmc final : public Simulator<D> {
   void step(double dt, std::uint64_t step) override;
   View<D> view() override;
   std::span<const std::uint64_t> ids() const override { return store_.ids(); }
+  std::uint64_t size() const override { return store_.size(); }
   Tally& tally() override { return tally_; }
+  std::map<std::string, double> counters() const override;
+  Memory save() const override;
+  void load(const Memory& memory) override;
   std::size_t bytes() const override;
 
  private:
@@ -38,6 +42,7 @@ class Dsmc final : public Simulator<D> {
   std::unique_ptr<MotionStage<D>> motion_;
   std::optional<LocalContactFactor<D>> factor_;
   Tally tally_;
+  std::uint64_t bound_raised_ = 0;
 };
 
 extern template class Dsmc<2>;

@@ -12,6 +12,7 @@ struct TestCells {
   Column<Phase<D>> particles;
   std::vector<std::uint32_t> offsets{0};
   Tally tally;
+  std::uint64_t bound_raised = 0;
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(offsets.size() - 1); }
   void add_cell(const std::vector<Vector<D>>& velocities) {
@@ -25,7 +26,8 @@ struct TestCells {
             factor,
             particles.data(),
             offsets.data(),
-            &tally};
+            &tally,
+            &bound_raised};
   }
   void collide(const CollisionStage<D>& stage, double coefficient, std::uint64_t number) {
     stage.collide(step(coefficient, number), 0, size());

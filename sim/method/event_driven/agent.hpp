@@ -24,7 +24,7 @@ template <int D>
 class Gathering {
  public:
   virtual ~Gathering() = default;
-  virtual std::uint32_t size() const = 0;
+  virtual std::uint64_t size() const = 0;
   virtual Guest<D> guest(std::uint32_t particle) const = 0;
   /// Gives a particle another velocity, here and now.
   virtual void redirect(std::uint32_t particle, const Vector<D>& velocity) = 0;

@@ -11,6 +11,13 @@
 
 namespace sandglass::event_driven {
 
+/// What the engine counts for itself.
+struct Counts {
+  std::uint64_t crossings = 0;    ///< of cells
+  std::uint64_t predictions = 0;  ///< searches for the next collision of a particle
+  std::uint64_t guarded = 0;      ///< collisions that a collapse guard made elastic
+};
+
 /// Hard disks or spheres from event to event. Each particle stands at the time of its own last change, and only the two
 /// that collide move; each has one event in the calendar. Times count from the beginning of an era, so that they keep
 /// their digits however long a run is.
@@ -23,9 +30,11 @@ class Engine final : public Simulator<D>, private Gathering<D> {
   void step(double dt, std::uint64_t step) override;
   View<D> view() override;
   std::span<const std::uint64_t> ids() const override { return gas_.ids; }
+  std::uint64_t size() const override { return gas_.size(); }
   Tally& tally() override { return tally_; }
-  std::map<std::string, std::vector<double>> save() const override;
-  void load(const std::map<std::string, std::vector<double>>& state) override;
+  std::map<std::string, double> counters() const override;
+  Memory save() const override;
+  void load(const Memory& memory) override;
   std::size_t bytes() const override;
 
  private:
@@ -56,7 +65,6 @@ class Engine final : public Simulator<D>, private Gathering<D> {
   }
   Guest<D> guest(std::uint32_t particle) const override { return guest_at(particle, now_); }
   Guest<D> guest_at(std::uint32_t particle, double time) const;
-  std::uint32_t size() const override { return gas_.size(); }
   void redirect(std::uint32_t particle, const Vector<D>& velocity) override;
 
   Parameters<D> parameters_;
@@ -78,6 +86,7 @@ class Engine final : public Simulator<D>, private Gathering<D> {
   Candidates near_;
   StallMonitor stall_;
   Tally tally_;
+  Counts counts_;
   double now_ = 0;     ///< since the origin
   double origin_ = 0;  ///< beginning of the era, in the time of the run
   double transfer_ = 0;

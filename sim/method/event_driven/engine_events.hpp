@@ -22,7 +22,7 @@ void Engine<D, F, M>::step(double dt, std::uint64_t) {
   }
   run_until(left);
   tally_.moves = 2 * tally_.collisions + drawn_;
-  tally_.candidates = tally_.predictions;
+  tally_.candidates = counts_.predictions;
   tally_.transfer.add(transfer_);
   transfer_ = 0;
 }
@@ -65,7 +65,7 @@ void Engine<D, F, M>::handle(std::uint32_t particle) {
 /// Only those cells are searched that were not neighbours before: what is known of the others stays as it is.
 template <int D, class F, bool M>
 void Engine<D, F, M>::cross(std::uint32_t particle) {
-  ++tally_.crossings;
+  ++counts_.crossings;
   Body<D>* bodies = gas_.bodies.data();
   Next& next = gas_.next[particle];
   const int axis = Exit::axis_of(next.exit);
@@ -100,7 +100,7 @@ void Engine<D, F, M>::collide(std::uint32_t i, std::uint32_t j) {
   const double overlap = 1 - distance / search_.reach(gas_.kind(i), gas_.kind(j));
   tally_.deepest_overlap = std::max(tally_.deepest_overlap, overlap);
   if (parameters_.impact_bins > 0) count_impact(normal, first.velocity - second.velocity);
-  const Impact<D> impact = rule_.apply(gas_, i, j, normal, now_, tally_.guarded);
+  const Impact<D> impact = rule_.apply(gas_, i, j, normal, now_, counts_.guarded);
   part(normal, first.velocity, second.velocity);
   if (stall_.contact(now_, impact.approach)) refuse_collapse(i, j);
   if (parameters_.measure_transfer) transfer_ += impact.impulse.dot(separation);
@@ -131,7 +131,7 @@ void Engine<D, F, M>::meet(std::uint32_t particle, std::uint32_t agent) {
   Random random(StreamKey(streams_.seed, Purpose::walls, streams_.replica, 0), drawn_++);
   if (agents_[agent]->act(visitor, clock(), random)) {
     ++body.changes;
-    tally_.guarded += visitor.guarded;
+    counts_.guarded += visitor.guarded;
     rule_.remember(gas_, particle, now_);
     if (stall_.contact(now_, (visitor.velocity - before).norm())) refuse_collapse(particle, particle);
   }
@@ -144,7 +144,7 @@ void Engine<D, F, M>::meet(std::uint32_t particle, std::uint32_t agent) {
 
 template <int D, class F, bool M>
 void Engine<D, F, M>::predict(std::uint32_t particle) {
-  ++tally_.predictions;
+  ++counts_.predictions;
   note(particle, first_contact(particle));
   calendar_.push(gas_.next[particle].time, particle);
 }

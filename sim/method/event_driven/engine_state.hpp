@@ -147,7 +147,15 @@ View<D> Engine<D, F, M>::view() {
 }
 
 template <int D, class F, bool M>
-std::map<std::string, std::vector<double>> Engine<D, F, M>::save() const {
+std::map<std::string, double> Engine<D, F, M>::counters() const {
+  return {{"cell-crossings", static_cast<double>(counts_.crossings)},
+          {"predictions", static_cast<double>(counts_.predictions)},
+          {"guarded-collisions", static_cast<double>(counts_.guarded)},
+          {"deepest-overlap", tally_.deepest_overlap}};
+}
+
+template <int D, class F, bool M>
+Memory Engine<D, F, M>::save() const {
   Memory memory;
   save_gas(gas_, memory);
   for (std::size_t a = 0; a < agents_.size(); ++a)
@@ -159,20 +167,26 @@ std::map<std::string, std::vector<double>> Engine<D, F, M>::save() const {
                                   static_cast<double>(drawn_),
                                   static_cast<double>(events_),
                                   static_cast<double>(era_.most_events)};
+  memory["event-driven/counts"] = {static_cast<double>(counts_.crossings),
+                                   static_cast<double>(counts_.predictions),
+                                   static_cast<double>(counts_.guarded)};
   return memory;
 }
 
 template <int D, class F, bool M>
-void Engine<D, F, M>::load(const std::map<std::string, std::vector<double>>& state) {
-  load_gas(state, gas_);
+void Engine<D, F, M>::load(const Memory& memory) {
+  load_gas(memory, gas_);
   for (std::size_t a = 0; a < agents_.size(); ++a)
-    agents_[a]->load(state.at(fmt::format("event-driven/agent-{}", a)));
-  const std::vector<double>& clock = state.at("event-driven/clock");
+    agents_[a]->load(memory.at(fmt::format("event-driven/agent-{}", a)));
+  const std::vector<double>& clock = memory.at("event-driven/clock");
   now_ = clock.at(0);
   origin_ = clock.at(1);
   era_ = {clock.at(2), static_cast<std::size_t>(clock.at(3)), static_cast<std::uint64_t>(clock.at(6))};
   events_ = static_cast<std::uint64_t>(clock.at(5));
   drawn_ = static_cast<std::uint64_t>(clock.at(4));
+  const std::vector<double>& counts = memory.at("event-driven/counts");
+  counts_ = {static_cast<std::uint64_t>(counts.at(0)), static_cast<std::uint64_t>(counts.at(1)),
+             static_cast<std::uint64_t>(counts.at(2))};
   seen_ = -1;
   fill_cells();
   fill_calendar();

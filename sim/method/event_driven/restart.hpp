@@ -2,12 +2,7 @@
 
 #include "sim/method/event_driven/gas.hpp"
 
-#include <map>
-#include <string>
-
 namespace sandglass::event_driven {
-
-using Memory = std::map<std::string, std::vector<double>>;
 
 /// The columns of the gas as numbers by name, for a checkpoint. Whole numbers below 2^53 keep every digit.
 template <int D>

@@ -30,6 +30,7 @@ class Reservoir final : public Simulator<D> {
   void step(double dt, std::uint64_t step) override;
   View<D> view() override;
   std::span<const std::uint64_t> ids() const override { return {}; }
+  std::uint64_t size() const override { return 0; }
   Tally& tally() override { return tally_; }
   std::size_t bytes() const override { return sizeof(*this); }
 
