@@ -1,6 +1,7 @@
 #include "validation/suite/axis.hpp"
 
 #include "sim/base/spelling.hpp"
+#include "validation/suite/pattern.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -55,7 +56,7 @@ class Axes {
   Axes(const Node& document, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
     const Node* list = entry(document, "axis");
     if (!list) return;
-    if (list->kind != Node::Kind::list) return report(*list, "'axis' must be a list of tables, each headed [[axis]]");
+    if (list->kind != Node::Kind::list) report(*list, "'axis' must be a list of tables, each headed [[axis]]");
     for (const Node& table : list->items) add(table);
   }
 
@@ -69,8 +70,13 @@ class Axes {
         if (found != places_.end() && std::ranges::find(used, found->second.axis) == used.end())
           used.push_back(found->second.axis);
       });
+    const std::size_t before = points.size();
     std::map<std::size_t, std::size_t> rows;
     each_row(point, used, rows, points);
+    std::size_t combinations = 1;
+    for (const std::size_t axis : used) combinations *= axes_[axis].rows();
+    const Node* except = entry(point, "except");
+    if (except && points.size() - before == combinations) report(*except, "'except' matches the name of no point");
   }
 
  private:
@@ -95,7 +101,8 @@ class Axes {
   void each_row(const Node& point, const std::vector<std::size_t>& used, std::map<std::size_t, std::size_t>& rows,
                 std::vector<Node>& points) const {
     if (rows.size() == used.size()) {
-      points.push_back(filled(point, rows));
+      Node made = filled(point, rows);
+      if (!left_out(made)) points.push_back(std::move(made));
       return;
     }
     const std::size_t axis = used[rows.size()];
@@ -121,6 +128,18 @@ class Axes {
       return nullptr;
     }
     return &axes_[found->second.axis].columns[found->second.column].items[row->second];
+  }
+
+  /// 'except' names the combinations that a product does not make.
+  static bool left_out(Node& point) {
+    const Node* except = entry(point, "except");
+    const Node* name = entry(point, "name");
+    if (!except || !name) return false;
+    std::vector<std::string> patterns{except->text};
+    for (const Node& item : except->items) patterns.push_back(item.text);
+    const bool left = std::ranges::any_of(patterns, [&](const std::string& one) { return matches(one, name->text); });
+    std::erase_if(point.items, [](const Node& item) { return item.key == "except"; });
+    return left;
   }
 
   Node filled(const Node& node, const std::map<std::size_t, std::size_t>& rows) const {

@@ -4,6 +4,8 @@
 #include "validation/suite/factors.hpp"
 #include "validation/suite/write_node.hpp"
 
+#include <algorithm>
+
 namespace sandglass {
 
 namespace {
@@ -30,6 +32,11 @@ void merge(OriginNode& base, const Node& over, const std::string& file) {
   }
 }
 
+std::string what_of(OriginNode& observer) {
+  const OriginNode* what = observer.entry("what");
+  return what ? what->node.text : "";
+}
+
 void add_observers(OriginNode& root, const AddedObservers& added) {
   OriginNode* observers = root.entry("observe");
   if (!observers) {
@@ -38,6 +45,10 @@ void add_observers(OriginNode& root, const AddedObservers& added) {
   }
   const OriginNode* every = observers->items.empty() ? nullptr : observers->items.back().entry("every");
   std::vector<OriginNode> fresh = with_origin(added.list, added.file).items;
+  const auto present = [&](OriginNode& wanted) {
+    return std::ranges::any_of(observers->items, [&](OriginNode& observer) { return what_of(observer) == what_of(wanted); });
+  };
+  std::erase_if(fresh, present);
   for (OriginNode& observer : fresh)
     if (every && !observer.entry("every")) observer.items.push_back(*every);
   observers->items.insert(observers->items.end(), fresh.begin(), fresh.end());

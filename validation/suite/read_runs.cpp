@@ -39,7 +39,28 @@ class MutantReader {
   MutantReader(const std::string& file, const Choices& choices, Case& result)
       : file_(file), choices_(choices), result_(result) {}
 
+  /// One planted fault, or one for each 'at', which says what the keys beside it leave open.
   void read(Table& table, const Node& node) {
+    if (!table.has("at")) return read_one(table, node);
+    const std::vector<Table> tables = table.tables("at");
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      const Node whole = completed(entry_of(node, "at")->items[i], node);
+      Table inner(whole, item_path(table.path_of("at"), i), *choices_.diagnostics);
+      read_one(inner, whole);
+      inner.finish();
+    }
+    for (const Node& item : node.items) table.skip(item.key);
+  }
+
+ private:
+  /// The table with what it lacks from the one around it.
+  static Node completed(Node table, const Node& outer) {
+    for (const Node& item : outer.items)
+      if (item.key != "at" && !entry_of(table, item.key)) table.items.push_back(item);
+    return table;
+  }
+
+  void read_one(Table& table, const Node& node) {
     Diagnostics& diagnostics = *choices_.diagnostics;
     const auto faults = read_choice(table, "mutation", "mutation", choices_of(mutations()), diagnostics);
     const auto checks = read_choice(table, "check", "check", choices_of(all_checks()), diagnostics);
@@ -52,11 +73,14 @@ class MutantReader {
       for (const Node& entry : entry_of(node, "numbers")->items) numbers->read(entry.key, mutant.numbers[entry.key]);
     mutant.set = read_set(table, node, "set", file_);
     if (!table.clean()) return;
-    for (mutant.mutation : faults)
-      for (mutant.check : checks) add(table, mutant, where);
+    for (const std::string& fault : faults)
+      for (const std::string& check : checks) {
+        mutant.mutation = fault;
+        mutant.check = check;
+        add(table, mutant, where);
+      }
   }
 
- private:
   void add(Table& table, const Mutant& mutant, const Selection& where) {
     const std::vector<Mutant> all = spread(mutant, where, result_);
     if (all.empty())
