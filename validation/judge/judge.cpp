@@ -69,7 +69,8 @@ Finding two_sided(double deviation, double budget) {
 /// The whole error bar must lie on one side of the bound, which the systematic part moves outwards.
 Finding one_sided(const Evidence& evidence, double error_bar) {
   const double past = beyond(evidence) - evidence.budget.systematic;
-  const std::string what = fmt::format("{:.6g} +- {:.2g}, {} wanted", evidence.value, error_bar, expectation_text(evidence));
+  const std::string bar = error_bar > 0 ? fmt::format(" +- {:.2g}", error_bar) : "";
+  const std::string what = fmt::format("{:.6g}{}, {} wanted", evidence.value, bar, expectation_text(evidence));
   if (past <= -error_bar) return {Verdict::pass, what};
   if (past > error_bar) return {Verdict::fail, what};
   return {Verdict::inconclusive, what + ": the error bar reaches across the bound"};

@@ -2,6 +2,10 @@
 
 #include "sim/base/error.hpp"
 #include "sim/run/run.hpp"
+#include "sim/scene/catalogue.hpp"
+
+#include <algorithm>
+#include <set>
 
 namespace sandglass {
 
@@ -12,6 +16,10 @@ std::string summary_of(const std::string& mutation) {
   return "";
 }
 
+std::string family_of(const Scene& scene) {
+  if (is_event_driven(scene)) return "event-driven";
+  return scene.method.preset == "reservoir" ? "reservoir" : "dsmc";
+}
 }  // namespace
 
 Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mutant) {
@@ -39,6 +47,17 @@ MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confiden
   }
   result.caught = result.check.judgement.verdict == Verdict::fail;
   return result;
+}
+
+std::vector<UntestedCheck> untested_checks(const Case& subject) {
+  std::set<UntestedCheck> wanted;
+  for (const std::string& tier : tier_names())
+    for (const Task& task : expand(subject, tier, ""))
+      for (const CheckUse* use : task.checks)
+        if (!use->known_limit(task.point, task.variant)) wanted.insert({use->check, family_of(task.scene)});
+  for (const Mutant& mutant : subject.mutants)
+    wanted.erase({mutant.check, family_of(scene_of(subject, "", mutant.variant, mutant.point, {}))});
+  return {wanted.begin(), wanted.end()};
 }
 
 }  // namespace sandglass
