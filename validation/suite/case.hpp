@@ -23,7 +23,7 @@ struct Selection {
 /// What a tier multiplies: replicas, duration, and the number of particles at the same density.
 struct Factors {
   double replicas = 1, duration = 1, size = 1;
-  Place place;
+  Place place = {};
 };
 
 /// Values that replace those of the base scene, as a TOML table of the same shape, and where they stand; the factors
@@ -31,7 +31,7 @@ struct Factors {
 struct Override {
   Node values;
   std::string file;
-  Factors factors;
+  Factors factors = {};
 };
 
 /// Observers that a variant adds to the scene: a list of tables. One without `every` samples as the scene's last does.

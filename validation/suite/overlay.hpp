@@ -13,6 +13,6 @@ namespace sandglass {
 /// was there; everything else replaces it. Factors multiply what stands there at their turn; the added observers come last.
 /// Throws InputError; an error that an override brought in is placed where the override stands.
 Scene lay_over(const Node& base, const std::string& base_file, const std::vector<const Override*>& overrides,
-               const std::vector<AddedObservers>& added);
+               const std::vector<AddedObservers>& added = {});
 
 }  // namespace sandglass

@@ -39,8 +39,8 @@ TEST(ReadCase, UnknownKeyHasItsPlaceAndTheNearestSpelling) {
 TEST(ReadCase, NamesThatNameNothingAreRefusedAllAtOnce) {
   const std::string faults =
       faults_of(SyntheticCase("points = [\"on\"]\n[[mutant]]\nmutation = \"bound-halvd\"\ncheck = "
-                              "\"energy-conservation\"\nvariant = \"dsmc\"\n"
-                              "point = \"one\"\n"));
+                              "\"energy-conservation\"\nvariants = \"dsmc\"\n"
+                              "points = \"one\"\n"));
   EXPECT_THAT(faults, HasSubstr("unknown point 'on'"));
   EXPECT_THAT(faults, HasSubstr("did you mean 'bound-halved'"));
 }
