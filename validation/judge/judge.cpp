@@ -15,9 +15,8 @@ constexpr std::array<const char*, 5> names{"pass", "fail", "inconclusive", "expe
                                            "unexpected-pass"};
 
 bool all_finite(const Evidence& evidence) {
-  for (double number :
-       {evidence.value, evidence.standard_error, evidence.expected, evidence.upper, evidence.budget.reference,
-        evidence.budget.systematic, evidence.budget.resolution})
+  for (double number : {evidence.value, evidence.standard_error, evidence.expected, evidence.upper,
+                        evidence.budget.reference, evidence.budget.systematic, evidence.budget.resolution})
     if (!std::isfinite(number)) return false;
   return true;
 }
@@ -70,7 +69,8 @@ Finding two_sided(double deviation, double budget) {
 Finding one_sided(const Evidence& evidence, double error_bar) {
   const double past = beyond(evidence) - evidence.budget.systematic;
   const std::string bar = error_bar > 0 ? fmt::format(" +- {:.2g}", error_bar) : "";
-  const std::string what = fmt::format("{:.6g}{}, {} wanted", evidence.value, bar, expectation_text(evidence));
+  const std::string what =
+      fmt::format("{:.6g}{}, {} wanted", evidence.value, bar, expectation_text(evidence));
   if (past <= -error_bar) return {Verdict::pass, what};
   if (past > error_bar) return {Verdict::fail, what};
   return {Verdict::inconclusive, what + ": the error bar reaches across the bound"};
@@ -100,7 +100,8 @@ Judgement judge(const Evidence& evidence, const Confidence& confidence, bool kno
                 "the error bar {:.3g} (half width) is wider than the resolution {:.3g} that the check needs",
                 width, allowed.resolution),
             z};
-  Finding found = evidence.kind == Expectation::equal ? two_sided(deviation, budget) : one_sided(evidence, error_bar);
+  Finding found =
+      evidence.kind == Expectation::equal ? two_sided(deviation, budget) : one_sided(evidence, error_bar);
   if (known_limit) found.reason += ", where the source says that this method must miss";
   return {with_known_limit(found.verdict, known_limit), deviation, budget, found.reason, z};
 }

@@ -56,7 +56,8 @@ class Axes {
   Axes(const Node& document, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
     const Node* list = entry(document, "axis");
     if (!list) return;
-    if (list->kind != Node::Kind::list) report(*list, "'axis' must be a list of tables, each headed [[axis]]");
+    if (list->kind != Node::Kind::list)
+      report(*list, "'axis' must be a list of tables, each headed [[axis]]");
     for (const Node& table : list->items) add(table);
   }
 
@@ -76,11 +77,14 @@ class Axes {
     std::size_t combinations = 1;
     for (const std::size_t axis : used) combinations *= axes_[axis].rows();
     const Node* except = entry(point, "except");
-    if (except && points.size() - before == combinations) report(*except, "'except' matches the name of no point");
+    if (except && points.size() - before == combinations)
+      report(*except, "'except' matches the name of no point");
   }
 
  private:
-  void report(const Node& node, const std::string& message) const { diagnostics_.report_at(node.place, "axis", message); }
+  void report(const Node& node, const std::string& message) const {
+    diagnostics_.report_at(node.place, "axis", message);
+  }
 
   void add(const Node& table) {
     Axis axis;
@@ -88,7 +92,8 @@ class Axes {
       const bool fits = column.kind == Node::Kind::list && !column.items.empty() &&
                         (axis.columns.empty() || column.items.size() == axis.rows());
       if (!fits) {
-        report(column, fmt::format("'{}' must be a list of values, as long as the other columns of its axis", column.key));
+        report(column, fmt::format("'{}' must be a list of values, as long as the other columns of its axis",
+                                   column.key));
         continue;
       }
       if (!places_.try_emplace(column.key, ColumnPlace{axes_.size(), axis.columns.size()}).second)
@@ -98,8 +103,8 @@ class Axes {
     if (!axis.columns.empty()) axes_.push_back(std::move(axis));
   }
 
-  void each_row(const Node& point, const std::vector<std::size_t>& used, std::map<std::size_t, std::size_t>& rows,
-                std::vector<Node>& points) const {
+  void each_row(const Node& point, const std::vector<std::size_t>& used,
+                std::map<std::size_t, std::size_t>& rows, std::vector<Node>& points) const {
     if (rows.size() == used.size()) {
       Node made = filled(point, rows);
       if (!left_out(made)) points.push_back(std::move(made));
@@ -114,7 +119,8 @@ class Axes {
   }
 
   /// The value of a column in the chosen rows; nothing, after a report at `user`, when there is none.
-  const Node* value(const std::string& column, const std::map<std::size_t, std::size_t>& rows, const Node& user) const {
+  const Node* value(const std::string& column, const std::map<std::size_t, std::size_t>& rows,
+                    const Node& user) const {
     const auto found = places_.find(column);
     if (found == places_.end()) {
       std::vector<std::string> names;
@@ -124,7 +130,8 @@ class Axes {
     }
     const auto row = rows.find(found->second.axis);
     if (row == rows.end()) {
-      report(user, "'{" + column + "}' has no value here: the name of the point must hold a column of its axis");
+      report(user,
+             "'{" + column + "}' has no value here: the name of the point must hold a column of its axis");
       return nullptr;
     }
     return &axes_[found->second.axis].columns[found->second.column].items[row->second];
@@ -137,7 +144,8 @@ class Axes {
     if (!except || !name) return false;
     std::vector<std::string> patterns{except->text};
     for (const Node& item : except->items) patterns.push_back(item.text);
-    const bool left = std::ranges::any_of(patterns, [&](const std::string& one) { return matches(one, name->text); });
+    const bool left =
+        std::ranges::any_of(patterns, [&](const std::string& one) { return matches(one, name->text); });
     std::erase_if(point.items, [](const Node& item) { return item.key == "except"; });
     return left;
   }
@@ -158,7 +166,8 @@ class Axes {
       const Node* found = value(column, rows, node);
       if (!found) return;
       alone = begin == 0 && end == node.text.size();
-      if (alone) result = *found;
+      if (alone)
+        result = *found;
       else
         result.text += node.text.substr(done, begin - done) + text_of(*found);
       done = end;

@@ -46,16 +46,18 @@ std::string error_of(const std::string& text) {
 
 TEST(Axis, NameMultipliesTheAxesThatItHolds) {
   EXPECT_THAT(names_of(points_of(axes + "[[point]]\nname = \"nu-{nu}-r-{r}\"\n")),
-              testing::ElementsAre("nu-0.05-r-1", "nu-0.05-r-0.9", "nu-0.05-r-0.5", "nu-0.25-r-1", "nu-0.25-r-0.9",
-                                   "nu-0.25-r-0.5"));
+              testing::ElementsAre("nu-0.05-r-1", "nu-0.05-r-0.9", "nu-0.05-r-0.5", "nu-0.25-r-1",
+                                   "nu-0.25-r-0.9", "nu-0.25-r-0.5"));
   EXPECT_THAT(names_of(points_of(axes + "[[point]]\nname = \"alone\"\n[[point]]\nname = \"r-{r}\"\n")),
               testing::ElementsAre("alone", "r-1", "r-0.9", "r-0.5"));
 }
 
 TEST(Axis, ColumnAloneIsTheValueAndBesideTextItsText) {
-  const Node point = points_of(axes + "[[point]]\nname = \"r-{r}\"\nsummary = \"{runs} runs at {r}\"\nset.run.replicas = "
-                                      "\"{runs}\"\n")
-                         .at(1);
+  const Node point =
+      points_of(axes +
+                "[[point]]\nname = \"r-{r}\"\nsummary = \"{runs} runs at {r}\"\nset.run.replicas = "
+                "\"{runs}\"\n")
+          .at(1);
   EXPECT_EQ(entry_of(point, "summary")->text, "20 runs at 0.9");
   const Node& replicas = *entry_of(*entry_of(*entry_of(point, "set"), "run"), "replicas");
   EXPECT_EQ(replicas.kind, Node::Kind::whole);
@@ -76,11 +78,14 @@ TEST(Axis, ExceptLeavesOut) {
 TEST(Axis, ErrorsHaveTheirPlaceAndTheNearestSpelling) {
   EXPECT_THAT(error_of(axes + "[[point]]\nname = \"r-{rr}\"\n"),
               testing::AllOf(HasSubstr("case.toml:9:8"), HasSubstr("did you mean 'r'"), HasSubstr("'runs'")));
-  EXPECT_THAT(error_of(axes + "[[point]]\nname = \"r-{r}\"\nsummary = \"{nu}\"\n"), HasSubstr("'{nu}' has no value here"));
+  EXPECT_THAT(error_of(axes + "[[point]]\nname = \"r-{r}\"\nsummary = \"{nu}\"\n"),
+              HasSubstr("'{nu}' has no value here"));
   EXPECT_THAT(error_of("[[axis]]\na = [1, 2]\nb = [1]\n[[point]]\nname = \"{a}\"\n"),
               testing::AllOf(HasSubstr("case.toml:3"), HasSubstr("as long as the other columns")));
-  EXPECT_THAT(error_of("[[axis]]\na = [1]\n[[axis]]\na = [1]\n[[point]]\nname = \"{a}\"\n"), HasSubstr("rename one"));
-  EXPECT_THAT(error_of(axes + "[[point]]\nname = \"r-{r}\"\nexcept = \"q\"\n"), HasSubstr("matches the name of no point"));
+  EXPECT_THAT(error_of("[[axis]]\na = [1]\n[[axis]]\na = [1]\n[[point]]\nname = \"{a}\"\n"),
+              HasSubstr("rename one"));
+  EXPECT_THAT(error_of(axes + "[[point]]\nname = \"r-{r}\"\nexcept = \"q\"\n"),
+              HasSubstr("matches the name of no point"));
 }
 
 }  // namespace

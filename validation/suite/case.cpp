@@ -21,14 +21,13 @@ bool Selection::holds(const std::string& point, const std::string& variant) cons
 }
 
 bool KnownLimit::holds(const std::string& point, const std::string& variant) const {
-  return where.holds(point, variant) && std::ranges::none_of(lifted, [&](const Selection& free) {
-           return free.holds(point, variant);
-         });
+  return where.holds(point, variant) &&
+         std::ranges::none_of(lifted, [&](const Selection& free) { return free.holds(point, variant); });
 }
 
 const KnownLimit* CheckUse::known_limit(const std::string& point, const std::string& variant) const {
-  const auto found = std::ranges::find_if(
-      limits, [&](const KnownLimit& limit) { return limit.holds(point, variant); });
+  const auto found =
+      std::ranges::find_if(limits, [&](const KnownLimit& limit) { return limit.holds(point, variant); });
   return found == limits.end() ? nullptr : &*found;
 }
 

@@ -125,7 +125,8 @@ struct Case {
   /// The variant runs at the point, in some tier.
   bool runs(const std::string& point, const std::string& variant) const;
   /// The check as it is made there; null when it is not.
-  const CheckUse* use_of(const std::string& check, const std::string& point, const std::string& variant) const;
+  const CheckUse* use_of(const std::string& check, const std::string& point,
+                         const std::string& variant) const;
   const Point& point(const std::string& name) const;
   const Variant& variant(const std::string& name) const;
   Tier tier(const std::string& name) const;

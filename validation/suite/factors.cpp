@@ -35,8 +35,8 @@ class Multiplier {
     if (method && method->entry("cells"))
       refuse("a factor on the size changes the box: give 'method.cell-size' instead of 'method.cells'");
     for (OriginNode& species : needed(scene_, "species", "the scene has no [[species]]").items)
-      scale(needed(species, "count", "a factor on the size needs the 'count' of every species"), factors_.size,
-            "'species.count'");
+      scale(needed(species, "count", "a factor on the size needs the 'count' of every species"),
+            factors_.size, "'species.count'");
     OriginNode& domain = needed(scene_, "domain", "the scene has no [domain]");
     if (OriginNode* edges = domain.entry("size"))
       for (OriginNode& edge : edges->items) stretch(edge.node, 1 / static_cast<double>(edges->items.size()));
@@ -72,7 +72,8 @@ class Multiplier {
     if (node.kind == Node::Kind::number) node.number *= factor;
     if (node.kind != Node::Kind::whole) return;
     const double wanted = static_cast<double>(node.whole) * factor;
-    if (!(wanted > 1 - 1e-9)) refuse(fmt::format("the factor {} leaves less than one of {} {}", factor, node.whole, what));
+    if (!(wanted > 1 - 1e-9))
+      refuse(fmt::format("the factor {} leaves less than one of {} {}", factor, node.whole, what));
     node.whole = std::llround(wanted);
   }
 

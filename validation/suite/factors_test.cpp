@@ -37,7 +37,8 @@ TEST(Factors, MultiplyReplicasAndDuration) {
   const Scene scene = multiplied({.replicas = 0.25, .duration = 2});
   EXPECT_EQ(scene.run.replicas, 5U);
   EXPECT_EQ(scene.run.duration.time, 20);
-  EXPECT_EQ(multiplied({.duration = 0.5}, "run.duration = { time = {}, steps = 5 }").run.duration.steps, 3U) << "rounded";
+  EXPECT_EQ(multiplied({.duration = 0.5}, "run.duration = { time = {}, steps = 5 }").run.duration.steps, 3U)
+      << "rounded";
 }
 
 TEST(Factors, ComeAfterTheirOwnOverride) {
@@ -58,14 +59,17 @@ TEST(Factors, SizeKeepsTheDensity) {
 }
 
 TEST(Factors, LessThanOneIsRefusedWhereTheFactorStands) {
-  EXPECT_THAT(error_of({.replicas = 0.04, .place = {7, 3}}),
-              testing::AllOf(HasSubstr("over.toml:7:3"), HasSubstr("leaves less than one of 20 'run.replicas'")));
+  EXPECT_THAT(
+      error_of({.replicas = 0.04, .place = {7, 3}}),
+      testing::AllOf(HasSubstr("over.toml:7:3"), HasSubstr("leaves less than one of 20 'run.replicas'")));
   EXPECT_THAT(error_of({.size = 0.001}), HasSubstr("'species.count'"));
 }
 
 TEST(Factors, WhatTheSceneLacksIsNamed) {
-  EXPECT_THAT(error_of({.size = 2}, "method = { cell-size = {}, cells = [5, 5] }"), HasSubstr("'method.cell-size'"));
-  EXPECT_THAT(error_of({.size = 2}, "species = { count = {}, area-fraction = 0.1 }"), HasSubstr("needs the 'count'"));
+  EXPECT_THAT(error_of({.size = 2}, "method = { cell-size = {}, cells = [5, 5] }"),
+              HasSubstr("'method.cell-size'"));
+  EXPECT_THAT(error_of({.size = 2}, "species = { count = {}, area-fraction = 0.1 }"),
+              HasSubstr("needs the 'count'"));
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ void add_observers(OriginNode& root, const AddedObservers& added) {
   const OriginNode* every = observers->items.empty() ? nullptr : observers->items.back().entry("every");
   std::vector<OriginNode> fresh = with_origin(added.list, added.file).items;
   const auto present = [&](OriginNode& wanted) {
-    return std::ranges::any_of(observers->items, [&](OriginNode& observer) { return what_of(observer) == what_of(wanted); });
+    return std::ranges::any_of(observers->items,
+                               [&](OriginNode& observer) { return what_of(observer) == what_of(wanted); });
   };
   std::erase_if(fresh, present);
   for (OriginNode& observer : fresh)
@@ -69,8 +70,8 @@ void add_observers(OriginNode& root, const AddedObservers& added) {
 }
 }  // namespace
 
-Scene lay_over(const Node& base, const std::string& base_file,
-               const std::vector<const Override*>& overrides, const std::vector<AddedObservers>& added) {
+Scene lay_over(const Node& base, const std::string& base_file, const std::vector<const Override*>& overrides,
+               const std::vector<AddedObservers>& added) {
   OriginNode root = with_origin(base, base_file);
   for (const Override* layer : overrides) {
     merge(root, layer->values, layer->file);

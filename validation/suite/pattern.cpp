@@ -19,7 +19,9 @@ bool excludes(const std::string& pattern) { return pattern.starts_with('!'); }
 
 bool matches(const std::string& pattern, const std::string& word) { return matches_from(pattern, word); }
 
-std::string wanted_part(const std::string& pattern) { return excludes(pattern) ? pattern.substr(1) : pattern; }
+std::string wanted_part(const std::string& pattern) {
+  return excludes(pattern) ? pattern.substr(1) : pattern;
+}
 
 bool speaks_of(const std::string& pattern, const Choice& choice) {
   const std::string plain = wanted_part(pattern);
@@ -37,7 +39,8 @@ bool chosen(const std::vector<std::string>& patterns, const Choice& choice) {
   return wanted;
 }
 
-std::vector<std::string> choose(const std::vector<std::string>& patterns, const std::vector<Choice>& choices) {
+std::vector<std::string> choose(const std::vector<std::string>& patterns,
+                                const std::vector<Choice>& choices) {
   std::vector<std::string> names;
   for (const Choice& choice : choices)
     if (chosen(patterns, choice)) names.push_back(choice.name);

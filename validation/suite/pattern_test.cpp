@@ -7,7 +7,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const std::vector<Choice> points{{"dilute-r-0.9", {}}, {"nu-0.05-r-0.9", {"dense"}}, {"nu-0.05-r-0.5", {"dense"}}};
+const std::vector<Choice> points{
+    {"dilute-r-0.9", {}}, {"nu-0.05-r-0.9", {"dense"}}, {"nu-0.05-r-0.5", {"dense"}}};
 
 TEST(Pattern, StarAndQuestionMark) {
   EXPECT_TRUE(matches("nu-*-r-0.9", "nu-0.05-r-0.9"));

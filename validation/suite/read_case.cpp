@@ -27,7 +27,8 @@ void read_equations(Table& root, const Node& document, Case& result) {
   });
 }
 
-void read_points(Table& root, const Node& document, const std::string& file, const Choices& choices, Case& result) {
+void read_points(Table& root, const Node& document, const std::string& file, const Choices& choices,
+                 Case& result) {
   read_each(root, document, "point", [&](Table& table, const Node& node) {
     Point& point = result.points.emplace_back();
     table.require("name", point.name, "a short name");
@@ -60,7 +61,8 @@ void require_unique(const std::vector<Choice>& entries, const std::string& key, 
   for (std::size_t i = 0; i < entries.size(); ++i)
     for (std::size_t before = 0; before < i; ++before)
       if (entries[i].name == entries[before].name)
-        diagnostics.report(item_path(key, i) + ".name", "the name '" + entries[i].name + "' is given twice; keep one");
+        diagnostics.report(item_path(key, i) + ".name",
+                           "the name '" + entries[i].name + "' is given twice; keep one");
 }
 
 /// A pattern finds a name or a tag, so that no word may be both.

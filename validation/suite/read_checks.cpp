@@ -42,8 +42,8 @@ class CheckReader {
     for (const Node& entry : entry_of(node, "numbers")->items) {
       numbers->read(entry.key, use.settings.numbers[entry.key]);
       for (const std::string& check : checks)
-        report_idle({entry.key}, "number", choices_of(find_check(check).parameters), numbers->path_of(entry.key),
-                    *choices_.diagnostics);
+        report_idle({entry.key}, "number", choices_of(find_check(check).parameters),
+                    numbers->path_of(entry.key), *choices_.diagnostics);
     }
   }
 
@@ -73,7 +73,8 @@ class CheckReader {
       CheckUse part = whole;
       part.where = {};
       read_settings(inner, entry, checks, part);
-      const bool some = narrow(part.where.points, whole.where.points) && narrow(part.where.variants, whole.where.variants);
+      const bool some =
+          narrow(part.where.points, whole.where.points) && narrow(part.where.variants, whole.where.variants);
       if (!some && inner.clean())
         choices_.diagnostics->report(inner.path_of(""), "chooses nothing of what its [[check]] chooses");
       parts.push_back(std::move(part));
@@ -88,14 +89,16 @@ class CheckReader {
       names = outer;
       return true;
     }
-    std::erase_if(names, [&](const std::string& name) { return std::ranges::find(outer, name) == outer.end(); });
+    std::erase_if(names,
+                  [&](const std::string& name) { return std::ranges::find(outer, name) == outer.end(); });
     return !names.empty();
   }
 
   void add_shared_limits(CheckUse& use, const std::vector<Selection>& lifted) const {
     for (const SharedLimit& shared : library_.limits) {
       if (!chosen(shared.checks, {use.check, {}})) continue;
-      const Selection where{choose(shared.points, choices_.points), choose(shared.variants, choices_.variants)};
+      const Selection where{choose(shared.points, choices_.points),
+                            choose(shared.variants, choices_.variants)};
       if (where.points.empty() || where.variants.empty()) continue;
       use.limits.push_back({where, shared.reason, lifted});
     }
@@ -109,14 +112,15 @@ class CheckReader {
         if (!use.where.holds(point.name, variant.name) || !result_.runs(point.name, variant.name)) continue;
         made = true;
         if (!result_.use_of(use.check, point.name, variant.name) || !table.clean("check")) continue;
-        choices_.diagnostics->report(table.path_of("check"), "the check '" + use.check + "' is made twice at point '" +
-                                                                 point.name + "' of variant '" + variant.name +
-                                                                 "': narrow 'points' or 'variants'");
+        choices_.diagnostics->report(
+            table.path_of("check"), "the check '" + use.check + "' is made twice at point '" + point.name +
+                                        "' of variant '" + variant.name + "': narrow 'points' or 'variants'");
       }
     if (!made && table.clean())
-      choices_.diagnostics->report(table.path_of("check"), "the check '" + use.check +
-                                                               "' is made nowhere: no variant that it chooses runs at a "
-                                                               "point that it chooses");
+      choices_.diagnostics->report(table.path_of("check"),
+                                   "the check '" + use.check +
+                                       "' is made nowhere: no variant that it chooses runs at a "
+                                       "point that it chooses");
     result_.checks.push_back(std::move(use));
   }
 
@@ -126,7 +130,8 @@ class CheckReader {
 };
 }  // namespace
 
-void read_checks(Table& root, const Node& document, const VariantLibrary& library, const Choices& choices, Case& result) {
+void read_checks(Table& root, const Node& document, const VariantLibrary& library, const Choices& choices,
+                 Case& result) {
   CheckReader reader(library, choices, result);
   read_each(root, document, "check", [&](Table& table, const Node& node) { reader.read(table, node); });
 }

@@ -11,8 +11,8 @@
 
 namespace sandglass {
 
-void report_idle(const std::vector<std::string>& patterns, const std::string& kind, const std::vector<Choice>& choices,
-                 const std::string& path, Diagnostics& diagnostics) {
+void report_idle(const std::vector<std::string>& patterns, const std::string& kind,
+                 const std::vector<Choice>& choices, const std::string& path, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < patterns.size(); ++i)
     if (std::ranges::none_of(choices, [&](const Choice& choice) { return speaks_of(patterns[i], choice); }))
       diagnostics.report(item_path(path, i), unknown_word(kind, wanted_part(patterns[i]), words_of(choices)));
@@ -60,7 +60,8 @@ std::vector<Choice> choices_of(const Node& document, const std::string& key) {
 
 std::string read_text(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw InputError({Diagnostic{path, 0, 0, std::string("cannot be read: ") + std::strerror(errno)}});
+  if (!file)
+    throw InputError({Diagnostic{path, 0, 0, std::string("cannot be read: ") + std::strerror(errno)}});
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -32,12 +32,14 @@ std::vector<Choice> choices_of(const Entries& entries) {
 
 /// The variants of all cases, and what they cannot do.
 struct SharedLimit {
-  std::vector<std::string> checks, variants, points;  ///< patterns; points that a case does not have match nothing
+  std::vector<std::string> checks, variants,
+      points;  ///< patterns; points that a case does not have match nothing
   std::string reason;
 };
 struct SharedVariant {
   struct Addition {
-    std::vector<std::string> checks;  ///< patterns: added to cases that make one of these checks of the variant
+    std::vector<std::string>
+        checks;  ///< patterns: added to cases that make one of these checks of the variant
     AddedObservers observers;
   };
   Variant variant;
@@ -54,19 +56,24 @@ VariantLibrary read_variant_library(const std::string& file);
 std::vector<SharedVariant> read_variants(Table& root, const Node& document, const VariantLibrary& library,
                                          Diagnostics& diagnostics);
 /// [[variant]]: the case's own, and what the case changes of shared ones.
-void read_own_variants(Table& root, const Node& document, const std::string& file, const Choices& choices, Case& result);
-void read_checks(Table& root, const Node& document, const VariantLibrary& library, const Choices& choices, Case& result);
-void read_tiers(Table& root, const Node& document, const std::string& file, const Choices& choices, Case& result);
-void read_sweeps(Table& root, const Node& document, const std::string& file, const Choices& choices, Case& result);
-void read_mutants(Table& root, const Node& document, const std::string& file, const Choices& choices, Case& result);
+void read_own_variants(Table& root, const Node& document, const std::string& file, const Choices& choices,
+                       Case& result);
+void read_checks(Table& root, const Node& document, const VariantLibrary& library, const Choices& choices,
+                 Case& result);
+void read_tiers(Table& root, const Node& document, const std::string& file, const Choices& choices,
+                Case& result);
+void read_sweeps(Table& root, const Node& document, const std::string& file, const Choices& choices,
+                 Case& result);
+void read_mutants(Table& root, const Node& document, const std::string& file, const Choices& choices,
+                  Case& result);
 
 /// A whole file; throws InputError when it cannot be read.
 std::string read_text(const std::string& path);
 /// A text or a list of texts.
 std::vector<std::string> read_words(Table& table, const std::string& key);
 /// Reports each pattern that matches none of the choices.
-void report_idle(const std::vector<std::string>& patterns, const std::string& kind, const std::vector<Choice>& choices,
-                 const std::string& path, Diagnostics& diagnostics);
+void report_idle(const std::vector<std::string>& patterns, const std::string& kind,
+                 const std::vector<Choice>& choices, const std::string& path, Diagnostics& diagnostics);
 /// Those that the patterns under the key choose, after a report of what matches nothing.
 std::vector<std::string> read_choice(Table& table, const std::string& key, const std::string& kind,
                                      const std::vector<Choice>& choices, Diagnostics& diagnostics);

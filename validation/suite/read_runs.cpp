@@ -13,8 +13,8 @@ void read_factors(Table& table, const Node& node, Factors& factors) {
   std::optional<Table> inner = table.table("factor");
   if (!inner) return;
   factors.place = entry_of(node, "factor")->place;
-  for (const auto& [key, target] : {std::pair{"replicas", &factors.replicas}, {"duration", &factors.duration},
-                                    {"size", &factors.size}}) {
+  for (const auto& [key, target] :
+       {std::pair{"replicas", &factors.replicas}, {"duration", &factors.duration}, {"size", &factors.size}}) {
     inner->read(key, *target);
     if (!(*target > 0)) inner->refuse(key, "must be above zero");
   }
@@ -26,7 +26,8 @@ std::vector<Mutant> spread(const Mutant& mutant, const Selection& where, const C
   std::vector<Mutant> all;
   for (const Variant& variant : subject.variants)
     for (const Point& point : subject.points) {
-      if (!where.holds(point.name, variant.name) || !subject.use_of(mutant.check, point.name, variant.name)) continue;
+      if (!where.holds(point.name, variant.name) || !subject.use_of(mutant.check, point.name, variant.name))
+        continue;
       Mutant& one = all.emplace_back(mutant);
       one.variant = variant.name;
       one.point = point.name;
@@ -67,10 +68,12 @@ class MutantReader {
     Selection where;
     choices_.read(table, where);
     for (const std::string key : {"mutation", "check", "variants", "points"})
-      if (!table.has(key)) table.report_missing(key, "a planted fault names what is planted, who must see it, and where");
+      if (!table.has(key))
+        table.report_missing(key, "a planted fault names what is planted, who must see it, and where");
     Mutant mutant;
     if (std::optional<Table> numbers = table.table("numbers"))
-      for (const Node& entry : entry_of(node, "numbers")->items) numbers->read(entry.key, mutant.numbers[entry.key]);
+      for (const Node& entry : entry_of(node, "numbers")->items)
+        numbers->read(entry.key, mutant.numbers[entry.key]);
     mutant.set = read_set(table, node, "set", file_);
     if (!table.clean()) return;
     for (const std::string& fault : faults)
@@ -84,10 +87,12 @@ class MutantReader {
   void add(Table& table, const Mutant& mutant, const Selection& where) {
     const std::vector<Mutant> all = spread(mutant, where, result_);
     if (all.empty())
-      choices_.diagnostics->report(table.path_of("check"), "the case does not make the check '" + mutant.check +
-                                                               "' there: add it or choose other points");
+      choices_.diagnostics->report(
+          table.path_of("check"),
+          "the case does not make the check '" + mutant.check + "' there: add it or choose other points");
     for (const Mutant& one : all) {
-      if (one.numbers.empty() && result_.use_of(one.check, one.point, one.variant)->known_limit(one.point, one.variant))
+      if (one.numbers.empty() &&
+          result_.use_of(one.check, one.point, one.variant)->known_limit(one.point, one.variant))
         choices_.diagnostics->report(
             table.path_of("check"),
             "the honest run at point '" + one.point + "' of variant '" + one.variant +
@@ -102,7 +107,8 @@ class MutantReader {
 };
 }  // namespace
 
-void read_tiers(Table& root, const Node& document, const std::string& file, const Choices& choices, Case& result) {
+void read_tiers(Table& root, const Node& document, const std::string& file, const Choices& choices,
+                Case& result) {
   read_each(root, document, "tier", [&](Table& table, const Node& node) {
     Tier& tier = result.tiers.emplace_back();
     table.require("name", tier.name, list_words(tier_names()));
@@ -119,7 +125,8 @@ void read_tiers(Table& root, const Node& document, const std::string& file, cons
   });
 }
 
-void read_sweeps(Table& root, const Node& document, const std::string& file, const Choices& choices, Case& result) {
+void read_sweeps(Table& root, const Node& document, const std::string& file, const Choices& choices,
+                 Case& result) {
   const auto named = [&](Table& table, const std::string& key, const std::string& kind, std::string& word,
                          const std::vector<Choice>& allowed) {
     table.require(key, word, "the name of a " + kind);
@@ -144,7 +151,8 @@ void read_sweeps(Table& root, const Node& document, const std::string& file, con
   });
 }
 
-void read_mutants(Table& root, const Node& document, const std::string& file, const Choices& choices, Case& result) {
+void read_mutants(Table& root, const Node& document, const std::string& file, const Choices& choices,
+                  Case& result) {
   MutantReader reader(file, choices, result);
   read_each(root, document, "mutant", [&](Table& table, const Node& node) { reader.read(table, node); });
 }

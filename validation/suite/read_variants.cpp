@@ -37,7 +37,8 @@ void read_shared(Table& table, const Node& node, const std::string& file, Diagno
   });
 }
 
-void read_limit(Table& table, const std::vector<Choice>& variants, Diagnostics& diagnostics, SharedLimit& limit) {
+void read_limit(Table& table, const std::vector<Choice>& variants, Diagnostics& diagnostics,
+                SharedLimit& limit) {
   limit.checks = read_check_patterns(table, diagnostics);
   limit.variants = read_words(table, "variants");
   limit.points = read_words(table, "points");
@@ -97,7 +98,8 @@ void read_own_variants(Table& root, const Node& document, const std::string& fil
     } else {
       names = choices.read_variants(table);
       if (!table.has("variants"))
-        table.report_missing("variants", "which variants this changes; a variant of this case alone has a 'name'");
+        table.report_missing("variants",
+                             "which variants this changes; a variant of this case alone has a 'name'");
     }
     const std::vector<std::string> points = choices.read_points(table);
     const Override set = read_set(table, node, "set", file);

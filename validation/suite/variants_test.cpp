@@ -62,22 +62,27 @@ const std::string check = "[[check]]\ncheck = \"energy-conservation\"\n";
 
 TEST(Variants, AreChosenByNameTagAndNeed) {
   EXPECT_THAT(variants_of(with_library("variants = \"cba\"\n" + points + check)), ElementsAre("cba"));
-  EXPECT_THAT(variants_of(with_library("variants = [\"monte-carlo\", \"!dsmc\"]\n" + points + check)), ElementsAre("cba"));
-  EXPECT_THAT(variants_of(with_library("needs = [\"gas\", \"displaced\"]\n" + points + check)), ElementsAre("cba"));
+  EXPECT_THAT(variants_of(with_library("variants = [\"monte-carlo\", \"!dsmc\"]\n" + points + check)),
+              ElementsAre("cba"));
+  EXPECT_THAT(variants_of(with_library("needs = [\"gas\", \"displaced\"]\n" + points + check)),
+              ElementsAre("cba"));
   EXPECT_THAT(variants_of(with_library("needs = \"gas\"\n" + points + check)),
               ElementsAre("dsmc", "cba", "event-driven"));
 }
 
 TEST(Variants, OneMoreEntryRunsInEveryCaseThatNeedsItsTags) {
-  const std::string more = std::string(library) + "[[variant]]\nname = \"new\"\ntags = \"gas\"\nset.run.seed = 8\n";
-  EXPECT_THAT(variants_of(with_library("needs = \"gas\"\n" + points + check, more)), testing::Contains("new"));
+  const std::string more =
+      std::string(library) + "[[variant]]\nname = \"new\"\ntags = \"gas\"\nset.run.seed = 8\n";
+  EXPECT_THAT(variants_of(with_library("needs = \"gas\"\n" + points + check, more)),
+              testing::Contains("new"));
 }
 
 TEST(Variants, CaseChangesASharedOneAndAddsItsOwn) {
-  const Case subject = with_library("variants = \"dsmc\"\n" + points +
-                                    "[[variant]]\nvariants = \"monte-carlo\"\npoints = \"dense\"\nset.run.seed = 9\n"
-                                    "[[variant]]\nname = \"own\"\nset.run.seed = 10\n" +
-                                    check);
+  const Case subject =
+      with_library("variants = \"dsmc\"\n" + points +
+                   "[[variant]]\nvariants = \"monte-carlo\"\npoints = \"dense\"\nset.run.seed = 9\n"
+                   "[[variant]]\nname = \"own\"\nset.run.seed = 10\n" +
+                   check);
   EXPECT_THAT(variants_of(subject), ElementsAre("dsmc", "own"));
   EXPECT_FALSE(subject.runs("thin", "dsmc"));
   EXPECT_EQ(scene_of(subject, "standard", "dsmc", "thick", {}).run.seed, 9U);
@@ -97,9 +102,10 @@ TEST(Variants, ObserveWhatTheChecksOfTheCaseNeed) {
 }
 
 TEST(Variants, AddedObserverGivesWayToTheSceneS) {
-  const Case subject = with_library("variants = \"event-driven\"\n" + points +
-                                    "[[variant]]\nvariants = \"contacts\"\nset.observe = [{ what = \"overlap\", every.steps = 7 "
-                                    "}]\n[[check]]\ncheck = \"overlap\"\n");
+  const Case subject = with_library(
+      "variants = \"event-driven\"\n" + points +
+      "[[variant]]\nvariants = \"contacts\"\nset.observe = [{ what = \"overlap\", every.steps = 7 "
+      "}]\n[[check]]\ncheck = \"overlap\"\n");
   const std::vector<Observe> observe = scene_of(subject, "standard", "event-driven", "thin", {}).observe;
   ASSERT_EQ(observe.size(), 1U);
   EXPECT_EQ(observe.front().cadence.every, 7);
@@ -123,10 +129,11 @@ TEST(KnownLimits, CaseLiftsOneAndAddsAnother) {
 }
 
 TEST(CheckAt, TakesWhatItDoesNotSayFromItsCheck) {
-  const Case subject = with_library("variants = \"dsmc\"\n" + points +
-                                    "[[check]]\ncheck = [\"energy-conservation\", \"momentum-conservation\"]\nresolution = "
-                                    "0.5\nat = [{ points = \"dense\", systematic = 0.1 }, { points = \"thin\", resolution = "
-                                    "0.2 }]\n");
+  const Case subject =
+      with_library("variants = \"dsmc\"\n" + points +
+                   "[[check]]\ncheck = [\"energy-conservation\", \"momentum-conservation\"]\nresolution = "
+                   "0.5\nat = [{ points = \"dense\", systematic = 0.1 }, { points = \"thin\", resolution = "
+                   "0.2 }]\n");
   const CheckUse& thick = *subject.use_of("momentum-conservation", "thick", "dsmc");
   EXPECT_EQ(thick.settings.systematic, 0.1);
   EXPECT_EQ(thick.settings.resolution, 0.5);
@@ -135,11 +142,13 @@ TEST(CheckAt, TakesWhatItDoesNotSayFromItsCheck) {
 
 TEST(Selections, ErrorsNameWhatCouldHaveBeenMeant) {
   const std::string head = "variants = \"dsmc\"\n" + points;
-  EXPECT_THAT(error_of("variants = \"monte-crlo\"\n" + points + check), HasSubstr("did you mean 'monte-carlo'"));
+  EXPECT_THAT(error_of("variants = \"monte-crlo\"\n" + points + check),
+              HasSubstr("did you mean 'monte-carlo'"));
   EXPECT_THAT(error_of("needs = \"gass\"\n" + points + check), HasSubstr("did you mean 'gas'"));
   EXPECT_THAT(error_of(head + check + "points = \"thn\"\n"), HasSubstr("did you mean 'thin'"));
   EXPECT_THAT(error_of(head + check + "points = \"x*\"\n"), HasSubstr("unknown point 'x*'"));
-  EXPECT_THAT(error_of(head + check + "points = [\"!thin\", \"!dense\"]\n"), HasSubstr("takes away every point"));
+  EXPECT_THAT(error_of(head + check + "points = [\"!thin\", \"!dense\"]\n"),
+              HasSubstr("takes away every point"));
   EXPECT_THAT(error_of(head + check + check), HasSubstr("is made twice at point 'thin' of variant 'dsmc'"));
   EXPECT_THAT(error_of("variants = \"dsmc\"\n[[point]]\nname = \"dense\"\n" + points + check),
               HasSubstr("'dense' is the name of a point and a tag"));
@@ -148,16 +157,20 @@ TEST(Selections, ErrorsNameWhatCouldHaveBeenMeant) {
 
 TEST(Selections, ErrorsOfTheLibraryArePlacedThere) {
   EXPECT_THAT(error_of("variants = \"dsmc\"\n" + points + check,
-                       "[[variant]]\nname = \"dsmc\"\n[[known-limit]]\nvariants = \"dsc\"\nchecks = \"x\"\nreason = \"r\"\n"),
-              testing::AllOf(HasSubstr("variants.toml:4"), HasSubstr("did you mean 'dsmc'"), HasSubstr("unknown check 'x'")));
+                       "[[variant]]\nname = \"dsmc\"\n[[known-limit]]\nvariants = \"dsc\"\nchecks = "
+                       "\"x\"\nreason = \"r\"\n"),
+              testing::AllOf(HasSubstr("variants.toml:4"), HasSubstr("did you mean 'dsmc'"),
+                             HasSubstr("unknown check 'x'")));
 }
 
-const std::string fault = "[[mutant]]\nmutation = \"restitution-minus-2-percent\"\ncheck = \"energy-conservation\"\n";
+const std::string fault =
+    "[[mutant]]\nmutation = \"restitution-minus-2-percent\"\ncheck = \"energy-conservation\"\n";
 
 TEST(Mutants, SpreadOverWhatTheirPatternsChoose) {
-  const Case subject = with_library("needs = \"monte-carlo\"\n" + points + check + fault +
-                                    "points = \"thin\"\nat = [{ variants = \"cba\" }, { variants = \"dsmc\", set.run.replicas "
-                                    "= 3 }]\n");
+  const Case subject =
+      with_library("needs = \"monte-carlo\"\n" + points + check + fault +
+                   "points = \"thin\"\nat = [{ variants = \"cba\" }, { variants = \"dsmc\", set.run.replicas "
+                   "= 3 }]\n");
   ASSERT_EQ(subject.mutants.size(), 2U);
   EXPECT_EQ(subject.mutants[0].variant, "cba");
   EXPECT_EQ(mutant_task(subject, "smoke", subject.mutants[1]).scene.run.replicas, 3U);
@@ -165,11 +178,15 @@ TEST(Mutants, SpreadOverWhatTheirPatternsChoose) {
 
 TEST(Mutants, NeedACheckAndAnHonestRunThatPasses) {
   const std::string head = "needs = \"monte-carlo\"\n" + points + check;
-  EXPECT_THAT(error_of(head + fault + "points = \"thick\"\nvariants = \"dsmc\"\n"), HasSubstr("is a known limit"));
-  EXPECT_THAT(error_of(head + "[[mutant]]\nmutation = \"momentum-leak\"\ncheck = \"overlap\"\npoints = \"*\"\nvariants = "
-                              "\"*\"\n"),
-              HasSubstr("does not make the check 'overlap' there"));
-  EXPECT_THAT(error_of(head + fault), testing::AllOf(HasSubstr("missing 'mutant.points'"), HasSubstr("mutant.variants")));
+  EXPECT_THAT(error_of(head + fault + "points = \"thick\"\nvariants = \"dsmc\"\n"),
+              HasSubstr("is a known limit"));
+  EXPECT_THAT(
+      error_of(head +
+               "[[mutant]]\nmutation = \"momentum-leak\"\ncheck = \"overlap\"\npoints = \"*\"\nvariants = "
+               "\"*\"\n"),
+      HasSubstr("does not make the check 'overlap' there"));
+  EXPECT_THAT(error_of(head + fault),
+              testing::AllOf(HasSubstr("missing 'mutant.points'"), HasSubstr("mutant.variants")));
 }
 
 TEST(Mutants, EachFamilyNeedsItsOwn) {
@@ -182,7 +199,8 @@ TEST(Mutants, EachFamilyNeedsItsOwn) {
 }
 
 TEST(Mutants, CheckThatMustFailNeedsNone) {
-  const Case subject = with_library("variants = \"dsmc\"\n[[point]]\nname = \"thick\"\ntags = \"dense\"\n" + check);
+  const Case subject =
+      with_library("variants = \"dsmc\"\n[[point]]\nname = \"thick\"\ntags = \"dense\"\n" + check);
   EXPECT_TRUE(untested_checks(subject).empty());
 }
 
