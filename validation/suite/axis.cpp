@@ -1,11 +1,12 @@
 #include "validation/suite/axis.hpp"
 
 #include "sim/base/spelling.hpp"
+#include "validation/suite/fill.hpp"
 #include "validation/suite/pattern.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -18,37 +19,17 @@ struct Axis {
   std::size_t rows() const { return columns.front().items.size(); }
 };
 
-/// Where a column stands: which axis, and which of its columns.
+/// Which axis a column belongs to, and which of its columns it is.
 struct ColumnPlace {
   std::size_t axis, column;
 };
 
+/// The row taken of each axis.
+using Rows = std::map<std::size_t, std::size_t>;
+
 const Node* entry(const Node& table, const std::string& key) {
   const auto found = std::ranges::find(table.items, key, &Node::key);
   return found == table.items.end() ? nullptr : &*found;
-}
-
-std::string text_of(const Node& value) {
-  switch (value.kind) {
-    case Node::Kind::whole:
-      return fmt::format("{}", value.whole);
-    case Node::Kind::number:
-      return fmt::format("{}", value.number);
-    case Node::Kind::flag:
-      return value.flag ? "true" : "false";
-    default:
-      return value.text;
-  }
-}
-
-/// Calls `visit` with each name in braces, its first character and the one after its brace.
-void for_each_name(const std::string& text,
-                   const std::function<void(const std::string&, std::size_t, std::size_t)>& visit) {
-  for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
-    const std::size_t close = text.find('}', open);
-    if (close == std::string::npos) return;
-    visit(text.substr(open + 1, close - open - 1), open, close + 1);
-  }
 }
 
 class Axes {
@@ -62,28 +43,26 @@ class Axes {
   }
 
   /// The points that a template stands for.
-  void multiply(const Node& point, std::vector<Node>& points) const {
-    const Node* name = entry(point, "name");
-    std::vector<std::size_t> used;
-    if (name && name->kind == Node::Kind::text)
-      for_each_name(name->text, [&](const std::string& column, std::size_t, std::size_t) {
-        const auto found = places_.find(column);
-        if (found != places_.end() && std::ranges::find(used, found->second.axis) == used.end())
-          used.push_back(found->second.axis);
-      });
-    const std::size_t before = points.size();
-    std::map<std::size_t, std::size_t> rows;
-    each_row(point, used, rows, points);
-    std::size_t combinations = 1;
-    for (const std::size_t axis : used) combinations *= axes_[axis].rows();
+  void multiply(const Node& point, std::vector<Node>& points) {
     const Node* except = entry(point, "except");
-    if (except && points.size() - before == combinations)
-      report(*except, "'except' matches the name of no point");
+    bool left_out = false;
+    for (const Rows& rows : combinations(point)) {
+      Node made = filled(
+          point, [&](const std::string& column, const Node& user) { return value(column, rows, user); });
+      std::erase_if(made.items, [](const Node& item) { return item.key == "except"; });
+      const Node* name = entry(made, "name");
+      if (except && name && excludes(*except, *name))
+        left_out = true;
+      else
+        points.push_back(std::move(made));
+    }
+    if (except && !left_out) report(*except, "'except' matches the name of no point");
   }
 
  private:
-  void report(const Node& node, const std::string& message) const {
-    diagnostics_.report_at(node.place, "axis", message);
+  /// Once: every combination of a template makes the same mistake.
+  void report(const Node& node, const std::string& message) {
+    if (reported_.insert({node.place, message}).second) diagnostics_.report_at(node.place, "axis", message);
   }
 
   void add(const Node& table) {
@@ -103,24 +82,25 @@ class Axes {
     if (!axis.columns.empty()) axes_.push_back(std::move(axis));
   }
 
-  void each_row(const Node& point, const std::vector<std::size_t>& used,
-                std::map<std::size_t, std::size_t>& rows, std::vector<Node>& points) const {
-    if (rows.size() == used.size()) {
-      Node made = filled(point, rows);
-      if (!left_out(made)) points.push_back(std::move(made));
-      return;
+  /// Rows of the axes that the name holds, the last one fastest.
+  std::vector<Rows> combinations(const Node& point) const {
+    std::vector<Rows> all(1);
+    const Node* name = entry(point, "name");
+    if (!name) return all;
+    for (const std::string& column : names_in_braces(name->text)) {
+      const auto found = places_.find(column);
+      if (found == places_.end() || all.front().contains(found->second.axis)) continue;
+      std::vector<Rows> more;
+      for (const Rows& rows : all)
+        for (std::size_t row = 0; row < axes_[found->second.axis].rows(); ++row)
+          more.emplace_back(rows)[found->second.axis] = row;
+      all = std::move(more);
     }
-    const std::size_t axis = used[rows.size()];
-    std::map<std::size_t, std::size_t> inner = rows;
-    for (std::size_t row = 0; row < axes_[axis].rows(); ++row) {
-      inner[axis] = row;
-      each_row(point, used, inner, points);
-    }
+    return all;
   }
 
-  /// The value of a column in the chosen rows; nothing, after a report at `user`, when there is none.
-  const Node* value(const std::string& column, const std::map<std::size_t, std::size_t>& rows,
-                    const Node& user) const {
+  /// The value of a column in the chosen rows; null, after a report at `user`, when there is none.
+  const Node* value(const std::string& column, const Rows& rows, const Node& user) {
     const auto found = places_.find(column);
     if (found == places_.end()) {
       std::vector<std::string> names;
@@ -137,56 +117,21 @@ class Axes {
     return &axes_[found->second.axis].columns[found->second.column].items[row->second];
   }
 
-  /// 'except' names the combinations that a product does not make.
-  static bool left_out(Node& point) {
-    const Node* except = entry(point, "except");
-    const Node* name = entry(point, "name");
-    if (!except || !name) return false;
-    std::vector<std::string> patterns{except->text};
-    for (const Node& item : except->items) patterns.push_back(item.text);
-    const bool left =
-        std::ranges::any_of(patterns, [&](const std::string& one) { return matches(one, name->text); });
-    std::erase_if(point.items, [](const Node& item) { return item.key == "except"; });
-    return left;
-  }
-
-  Node filled(const Node& node, const std::map<std::size_t, std::size_t>& rows) const {
-    if (node.kind == Node::Kind::text) return filled_text(node, rows);
-    Node result = node;
-    for (Node& item : result.items) item = filled(item, rows);
-    return result;
-  }
-
-  Node filled_text(const Node& node, const std::map<std::size_t, std::size_t>& rows) const {
-    Node result = node;
-    result.text.clear();
-    std::size_t done = 0;
-    bool alone = false;
-    for_each_name(node.text, [&](const std::string& column, std::size_t begin, std::size_t end) {
-      const Node* found = value(column, rows, node);
-      if (!found) return;
-      alone = begin == 0 && end == node.text.size();
-      if (alone)
-        result = *found;
-      else
-        result.text += node.text.substr(done, begin - done) + text_of(*found);
-      done = end;
-    });
-    if (!alone) result.text += node.text.substr(done);
-    result.key = node.key;
-    result.place = node.place;
-    result.key_place = node.key_place;
-    return result;
+  /// 'except' names the combinations that a product does not make: one pattern, or a list.
+  static bool excludes(const Node& except, const Node& name) {
+    const auto fits = [&](const Node& pattern) { return matches(pattern.text, name.text); };
+    return except.kind == Node::Kind::text ? fits(except) : std::ranges::any_of(except.items, fits);
   }
 
   Diagnostics& diagnostics_;
   std::vector<Axis> axes_;
   std::map<std::string, ColumnPlace> places_;
+  std::set<std::pair<Place, std::string>> reported_;
 };
 }  // namespace
 
 Node multiply_points(const Node& document, Diagnostics& diagnostics) {
-  const Axes axes(document, diagnostics);
+  Axes axes(document, diagnostics);
   Node result = document;
   std::erase_if(result.items, [](const Node& item) { return item.key == "axis"; });
   for (Node& item : result.items) {

@@ -39,6 +39,8 @@ std::string error_of(const std::string& text) {
   try {
     points_of(text);
   } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics().size(), 1U)
+        << "a template makes one mistake, however many points it stands for";
     return error.diagnostics().front().text();
   }
   return "";
