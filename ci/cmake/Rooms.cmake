@@ -8,13 +8,17 @@ target_link_libraries(sandglass_test_headers PRIVATE sandglass_options GTest::gt
 target_compile_options(sandglass_test_headers PRIVATE ${SANDGLASS_TEST_OPTIONS})
 target_precompile_headers(sandglass_test_headers PRIVATE <gtest/gtest.h> <Eigen/Core>)
 
-# sandglass_room(NAME [USES room...] [LINKS target...])
+# sandglass_room(NAME [USES room...] [LINKS target...] [FLAT])
 # A room is a folder of the house: every *.cpp in it becomes the library sandglass_NAME, every *_test.cpp the program
 # test_NAME; main.cpp is left to a program of its own. USES lists the rooms that it may see: the allowed arrows and no
-# others.
+# others. FLAT: folders inside are rooms of their own.
 function(sandglass_room name)
-  cmake_parse_arguments(ROOM "" "" "USES;LINKS" ${ARGN})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "*.cpp")
+  cmake_parse_arguments(ROOM "FLAT" "" "USES;LINKS" ${ARGN})
+  if(ROOM_FLAT)
+    file(GLOB sources CONFIGURE_DEPENDS "*.cpp")
+  else()
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "*.cpp")
+  endif()
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")

@@ -5,7 +5,7 @@
 #include "sim/program/options.hpp"
 #include "sim/program/table.hpp"
 #include "sim/run/run.hpp"
-#include "sim/scene/catalogue.hpp"
+#include "sim/scene/method/family.hpp"
 #include "validation/check/check.hpp"
 #include "validation/law/law.hpp"
 #include "validation/suite/suite.hpp"
@@ -85,7 +85,7 @@ const std::map<std::string, std::function<Entries()>>& lists() {
       {"checks", checks},
       {"cases", cases},
       {"claims", claims},
-      {"mutations", [] { return names_of(mutations()); }},
+      {"mutations", [] { return names_of(planted_faults()); }},
   };
   return all;
 }

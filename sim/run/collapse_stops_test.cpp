@@ -92,8 +92,7 @@ TEST(Collapse, OfABallOnTheFloorStopsTheRun) {
 
 TEST(Collapse, VelocityDependentRestitutionCarriesTheBallOn) {
   Scene scene = bouncing_ball(8);
-  scene.method.guard = CollapseGuard::velocity_dependent;
-  scene.method.reference_speed = 0.5;
+  scene.method.options = EventDrivenOptions{{CollapseGuard::velocity_dependent, 0, 0.5}};
   EXPECT_EQ(breaks(scene), "it went on");
 }
 
@@ -104,8 +103,7 @@ TEST(Collapse, OfThreeInARowStopsTheRunBelowTheCriticalRestitution) {
 
 TEST(Collapse, ContactTimeCarriesTheRowOn) {
   Scene scene = row(0.05);
-  scene.method.guard = CollapseGuard::contact_time;
-  scene.method.contact_time = 1e-3;
+  scene.method.options = EventDrivenOptions{{CollapseGuard::contact_time, 1e-3, 0}};
   EXPECT_EQ(breaks(scene), "it went on");
 }
 

@@ -1,5 +1,7 @@
 #include "sim/run/equilibrate.hpp"
 
+#include "sim/method/collision_rate.hpp"
+
 #include "sim/base/error.hpp"
 #include "sim/run/initial.hpp"
 #include "sim/run/test_hard.hpp"
@@ -13,7 +15,7 @@ template <int D>
 Particles<D> start(const Scene& scene, double collisions) {
   Scene changed = scene;
   changed.initial.equilibrate_collisions = collisions;
-  return initial_particles<D>(changed, set_up<D>(changed, {}), {1, 0});
+  return initial_particles<D>(set_up<D>(changed, {}), {1, 0});
 }
 
 /// Lossy and rough, under gravity, between lossy walls: none of it may act yet.
@@ -115,7 +117,7 @@ TEST(Equilibrate, DoesNotDependOnLossAndFollowsTheSeed) {
   for (std::size_t i = 0; i < 100; ++i) ASSERT_EQ(elastic.phases[i].position, lossy.phases[i].position);
   scene.run.seed = 2;
   scene.initial.equilibrate_collisions = 3;
-  const auto other = initial_particles<2>(scene, set_up<2>(scene, {}), {2, 0}).phases;
+  const auto other = initial_particles<2>(set_up<2>(scene, {}), {2, 0}).phases;
   EXPECT_NE(other[0].position, elastic.phases[0].position);
 }
 

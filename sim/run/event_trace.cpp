@@ -4,6 +4,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -19,11 +21,31 @@ std::string heading(int dimension) {
 }  // namespace
 
 template <int D>
-EventTrace<D>::EventTrace(const std::string& path, bool append)
-    : path_(path), file_(std::fopen(path.c_str(), append ? "a" : "w")) {
+EventTrace<D>::EventTrace(const std::string& path) : path_(path) {
+  open("w");
+  std::fputs(heading(D).c_str(), file_.get());
+}
+
+template <int D>
+EventTrace<D>::EventTrace(const std::string& path, std::uintmax_t bytes) : path_(path) {
+  std::error_code error;
+  const std::uintmax_t there = std::filesystem::file_size(path, error);
+  if (error || there < bytes)
+    throw InputError(
+        fmt::format("the event trace '{}' has {} bytes, and {} when the checkpoint was written; put the file "
+                    "back, or run the "
+                    "scene anew",
+                    path, error ? 0 : there, bytes));
+  std::filesystem::resize_file(path, bytes, error);
+  if (error) throw RunError(fmt::format("cannot write the event trace '{}': {}", path, error.message()));
+  open("a");
+}
+
+template <int D>
+void EventTrace<D>::open(const char* mode) {
+  file_.reset(std::fopen(path_.c_str(), mode));
   if (!file_)
-    throw RunError(fmt::format("cannot write the event trace '{}': {}", path, std::strerror(errno)));
-  if (std::ftell(file_.get()) <= 0 && !append) std::fputs(heading(D).c_str(), file_.get());
+    throw RunError(fmt::format("cannot write the event trace '{}': {}", path_, std::strerror(errno)));
 }
 
 template <int D>
@@ -43,9 +65,11 @@ void EventTrace<D>::hear(const Event<D>& event) {
 }
 
 template <int D>
-void EventTrace<D>::flush() {
+std::uintmax_t EventTrace<D>::flush() {
   if (std::fflush(file_.get()) != 0 || std::ferror(file_.get()) != 0)
     throw RunError(fmt::format("cannot write the event trace '{}': {}", path_, std::strerror(errno)));
+  std::fseek(file_.get(), 0, SEEK_END);
+  return static_cast<std::uintmax_t>(std::ftell(file_.get()));
 }
 
 template class EventTrace<2>;

@@ -2,6 +2,7 @@
 
 #include "sim/observe/event.hpp"
 
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -13,16 +14,20 @@ namespace sandglass {
 template <int D>
 class EventTrace final : public EventSink<D> {
  public:
-  /// Throws RunError when the file cannot be written. `append` goes on with a trace that is there.
-  EventTrace(const std::string& path, bool append);
+  /// A new file. Throws RunError when it cannot be written.
+  explicit EventTrace(const std::string& path);
+  /// Goes on with a file that is there, whatever stands behind its first `bytes` cut off. Throws InputError when it has
+  /// fewer.
+  EventTrace(const std::string& path, std::uintmax_t bytes);
   void hear(const Event<D>& event) override;
-  /// Throws RunError if a line was lost (disk full).
-  void flush();
+  /// Bytes written so far, all of them on their way to the disk. Throws RunError if a line was lost (disk full).
+  std::uintmax_t flush();
 
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+  void open(const char* mode);
   void put(const Vector<D>& vector);
 
   std::string path_;

@@ -41,19 +41,21 @@ void set_moving(std::vector<Phase<D>>& particles, const Scene& scene) {
 }  // namespace
 
 template <int D>
-Particles<D> initial_particles(const Scene& scene, const Setup<D>& setup, const Streams& streams) {
+Particles<D> initial_particles(const Setup<D>& setup, const Streams& streams) {
+  const Scene& scene = setup.scene;
+  if (setup.particles == 0) return {};
   if (!scene.given.empty()) return given_particles<D>(scene);
   Particles<D> particles;
   particles.species = shuffled_species(scene, streams);
   particles.phases = place<D>(scene, setup.particles, streams, particles.species);
   draw_velocities(particles, scene, streams);
   if (is_rough(scene)) draw_spins(particles, scene, streams);
-  if (scene.initial.equilibrate_collisions > 0) equilibrate(particles, scene, setup, streams);
+  if (scene.initial.equilibrate_collisions > 0) equilibrate(particles, setup, streams);
   set_moving(particles.phases, scene);
   return particles;
 }
 
-template Particles<2> initial_particles(const Scene&, const Setup<2>&, const Streams&);
-template Particles<3> initial_particles(const Scene&, const Setup<3>&, const Streams&);
+template Particles<2> initial_particles(const Setup<2>&, const Streams&);
+template Particles<3> initial_particles(const Setup<3>&, const Streams&);
 
 }  // namespace sandglass

@@ -8,8 +8,9 @@ namespace sandglass {
 
 /// Particles at time zero. Those that the scene gives are taken as they are; others are placed, Maxwellian, equilibrated
 /// by elastic collisions if the scene asks for it, then set moving with the stream and the shear wave. Species are told
-/// where there are several, spins where contacts are rough. Throws InputError when the state cannot be had.
+/// where there are several, spins where contacts are rough. None for a method without
+/// particles. Throws InputError when the state cannot be had.
 template <int D>
-Particles<D> initial_particles(const Scene& scene, const Setup<D>& setup, const Streams& streams);
+Particles<D> initial_particles(const Setup<D>& setup, const Streams& streams);
 
 }  // namespace sandglass

@@ -12,7 +12,7 @@ namespace {
 
 template <int D>
 Particles<D> start(const Scene& scene, std::uint64_t replica = 0) {
-  return initial_particles<D>(scene, set_up<D>(scene, {}), {scene.run.seed, replica});
+  return initial_particles<D>(set_up<D>(scene, {}), {scene.run.seed, replica});
 }
 
 /// Small light and large heavy grains, rough.
@@ -116,7 +116,7 @@ TEST(InitialHard, SmoothParticlesOfOneSpeciesHaveNoSpinsAndNoSpeciesColumn) {
 TEST(InitialHard, VelocitiesAreThoseOfTheOtherMethods) {
   const Scene hard = hard_scene({20, 20}, 100);
   Scene soft = hard;
-  soft.method.preset = "dsmc";
+  choose(soft.method, "dsmc");
   const auto a = start<2>(hard).phases, b = start<2>(soft).phases;
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_EQ(a[i].velocity, b[i].velocity);
 }
@@ -130,9 +130,9 @@ TEST(InitialHard, ASingleParticleIsDrawnButCannotBeExact) {
 }
 
 TEST(InitialHard, GivenParticlesAreTakenAsTheyAre) {
-  for (const std::string& preset : {std::string(event_driven_preset), std::string("dsmc")}) {
+  for (const char* preset : {"event-driven", "dsmc"}) {
     Scene scene = hard_scene({10, 10}, 1);
-    scene.method.preset = preset;
+    choose(scene.method, preset);
     scene.species[0].count.reset();
     scene.given = {{{1.0 / 3, 2}, {0.1, -7}, {}, 0}, {{5, 9.7}, {1e-300, 3}, {}, 0}};
     scene.initial.equilibrate_collisions = 0;

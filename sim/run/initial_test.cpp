@@ -13,7 +13,7 @@ namespace {
 
 template <int D>
 std::vector<Phase<D>> start(const Scene& scene, std::uint64_t replica = 0) {
-  return initial_particles<D>(scene, set_up<D>(scene, {}), {scene.run.seed, replica}).phases;
+  return initial_particles<D>(set_up<D>(scene, {}), {scene.run.seed, replica}).phases;
 }
 
 template <int D>
@@ -107,7 +107,7 @@ TEST(Initial, EquilibrationKeepsTheStateAndMixesIt) {
 
 TEST(Initial, EquilibrationThatCannotEndSaysSo) {
   Scene scene = test_scene(2, 100, 2);
-  scene.method.cells = {10, 1};
+  dsmc_options(scene).cells = {10, 1};
   scene.initial.positions = Positions::lattice;
   scene.initial.temperature = 0;
   scene.initial.equilibrate_collisions = 1;

@@ -51,7 +51,7 @@ TEST(PlacementHard, SquareLatticesAreFilledToTheLast) {
 TEST(PlacementHard, ALatticeThatFitsAsItIsStaysTheOneOfTheOtherMethods) {
   const Scene hard = hard_scene({30, 20}, 150);
   Scene soft = hard;
-  soft.method.preset = "dsmc";
+  choose(soft.method, "dsmc");
   const auto a = placed<2>(hard), b = placed<2>(soft);
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_EQ(a[i].position, b[i].position);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/base/vector.hpp"
-#include "sim/scene/scene.hpp"
+#include "sim/scene/method/capabilities.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ struct Room {
 
   explicit Room(const Scene& scene)
       : box(Eigen::Map<const Vector<D>>(scene.domain.size.data())),
-        hard(is_event_driven(scene)),
+        hard(capabilities(scene).contacts),
         obstacles(scene.obstacles) {
     for (std::size_t axis = 0; axis < D; ++axis)
       periodic[axis] = scene.domain.sides[axis][0] == Side::periodic;

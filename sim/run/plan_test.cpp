@@ -22,35 +22,35 @@ TEST(Plan, TellsTheBytesThatTheRunHolds) {
         Scene scene = test_scene(dimension, dimension == 2 ? 300 : 40, 20'000);
         scene.run.duration.steps = 1;
         scene.output.ids = ids;
-        scene.method.contact_factor = factor;
+        dsmc_options(scene).contact_factor = factor;
         expect_bytes_as_planned(scene);
-        scene.method.cells.assign(static_cast<std::size_t>(dimension), dimension == 2 ? 100 : 21);
+        dsmc_options(scene).cells.assign(static_cast<std::size_t>(dimension), dimension == 2 ? 100 : 21);
         expect_bytes_as_planned(scene);
       }
 }
 
 TEST(Plan, TellsTheCells) {
   Scene scene = test_scene(2, 30, 900);
-  scene.method.cell_size = 3.1;
+  dsmc_options(scene).cell_size = 3.1;
   EXPECT_EQ(plan(scene).cells, 100u);
   EXPECT_DOUBLE_EQ(plan(scene).particles_per_cell, 9);
-  scene.method.cells = {4, 5};
+  dsmc_options(scene).cells = {4, 5};
   EXPECT_EQ(plan(scene).cells, 20u);
 }
 
 /// Mean free path of disks 1/(2 sqrt(2) n d), of spheres 1/(sqrt(2) pi n d^2).
 TEST(Plan, TellsTheMeanFreePath) {
   Scene disks = test_scene(2, 30, 90);
-  disks.method.cells = {10, 10};
+  dsmc_options(disks).cells = {10, 10};
   EXPECT_NEAR(plan(disks).cell_size_in_mean_free_paths, 3 * 2 * M_SQRT2 * 0.1, 1e-12);
   Scene spheres = test_scene(3, 30, 2700);
-  spheres.method.cells = {10, 10, 10};
+  dsmc_options(spheres).cells = {10, 10, 10};
   EXPECT_NEAR(plan(spheres).cell_size_in_mean_free_paths, 3 * M_SQRT2 * M_PI * 0.1, 1e-12);
 }
 
 TEST(Plan, WarnsOfCoarseCellsAndLongSteps) {
   Scene scene = test_scene(2, 30, 900);
-  scene.method.cells = {20, 20};
+  dsmc_options(scene).cells = {20, 20};
   EXPECT_EQ(plan(scene).warnings.size(), 2u);  // wider than a mean free path; fewer than five particles
   scene.method.time_step.fixed = 10;
   EXPECT_EQ(plan(scene).warnings.size(), 3u);

@@ -11,33 +11,36 @@
 namespace sandglass {
 
 namespace {
+/// Goes on with a trace where the checkpoint left it: what was written after that is cut off.
 template <int D>
-std::unique_ptr<EventTrace<D>> make_trace(const Scene& scene, const Streams& streams, bool goes_on) {
+std::unique_ptr<EventTrace<D>> make_trace(const Scene& scene, const Streams& streams, const State* state) {
   if (!scene.output.event_trace || streams.replica > 0) return nullptr;
-  return std::make_unique<EventTrace<D>>(*scene.output.event_trace, goes_on);
+  const std::string& path = *scene.output.event_trace;
+  if (state == nullptr) return std::make_unique<EventTrace<D>>(path);
+  return std::make_unique<EventTrace<D>>(path,
+                                         static_cast<std::uintmax_t>(state->memory.at("event-trace").at(0)));
 }
 }  // namespace
 
 template <int D>
-ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation,
-                          const Streams& streams, const State* state)
-    : scene_(scene),
+ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const State* state)
+    : setup_(setup),
+      scene_(setup.scene),
       streams_(streams),
       planes_(make_planes(setup.observers)),
-      trace_(make_trace<D>(scene, streams, state != nullptr)),
-      simulator_(make_simulator<D>(scene, setup, mutation, streams, &planes_, trace_.get())),
-      setup_(setup),
-      stepper_(scene, setup) {
+      trace_(make_trace<D>(setup.scene, streams, state)),
+      simulator_(setup.method->build(streams, {&planes_, trace_.get()})),
+      stepper_(setup) {
   std::size_t plane = 0;
   for (std::size_t i = 0; i < setup.observers.size(); ++i) {
     for (auto& observer : make_observers<D>(setup.observers[i], plane)) {
       Quantity quantity = observer->quantity();
       watches_.push_back(
-          {std::move(observer), Schedule(scene.observe[i].cadence), {std::move(quantity), {}, {}, {}}});
+          {std::move(observer), Schedule(scene_.observe[i].cadence), {std::move(quantity), {}, {}, {}}});
     }
     plane += needs_of(setup.observers[i]).plane ? 1 : 0;
   }
-  if (scene.output.trajectory && streams.replica == 0) frames_.emplace(*scene.output.trajectory);
+  if (scene_.output.trajectory && streams.replica == 0) frames_.emplace(*scene_.output.trajectory);
   if (state != nullptr)
     load(*state);
   else
@@ -46,7 +49,8 @@ ReplicaRun<D>::ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutat
 
 template <int D>
 void ReplicaRun<D>::start() {
-  if (!is_reservoir(scene_)) simulator_->assign(initial_particles(scene_, setup_, streams_));
+  simulator_->assign(initial_particles(setup_, streams_));
+  collisions_ = {simulator_->size()};
   for (Watch& watch : watches_) {
     watch.observer->start(view());
     if (watch.observer->measures_at_start()) sample(watch);
@@ -60,9 +64,7 @@ void ReplicaRun<D>::step() {
   simulator_->step(dt, clock_.step);
   ++clock_.step;
   clock_.time = scene_.method.time_step.fixed ? static_cast<double>(clock_.step) * dt : clock_.time + dt;
-  if (setup_.particles > 0)
-    clock_.collisions =
-        2 * static_cast<double>(simulator_->tally().collisions) / static_cast<double>(setup_.particles);
+  clock_.collisions = collisions_.per_particle(simulator_->tally().collisions, simulator_->size());
   sample_what_is_due();
   if (clock_.step % 1'000'000 == 0) refuse_standstill();
 }
@@ -132,11 +134,12 @@ std::map<std::string, double> ReplicaRun<D>::counters() {
 
 template <int D>
 State ReplicaRun<D>::save() {
-  if (trace_) trace_->flush();
   State state{clock_.step, clock_.time, frame(), {}, counters(), simulator_->save()};
   state.particles.spin.clear();  // the method's memory holds them
   simulator_->tally().save(state.memory);
   state.memory["time-step"] = stepper_.save();
+  state.memory["collisions"] = collisions_.save();
+  if (trace_) state.memory["event-trace"] = {static_cast<double>(trace_->flush())};
   for (std::size_t i = 0; i < planes_.size(); ++i)
     state.memory[fmt::format("plane-{}", i)] = planes_[i].save();
   for (std::size_t i = 0; i < watches_.size(); ++i) {
@@ -153,14 +156,13 @@ void ReplicaRun<D>::load(const State& state) {
     particles[i].position = Eigen::Map<const Vector<D>>(&state.particles.position[D * i]);
     particles[i].velocity = Eigen::Map<const Vector<D>>(&state.particles.velocity[D * i]);
   }
-  if (!is_reservoir(scene_)) simulator_->assign({std::move(particles), {}, {}, state.particles.id});
+  simulator_->assign({std::move(particles), {}, {}, state.particles.id});
   simulator_->load(state.memory);
-  Tally& tally = simulator_->tally();
-  tally.load(state.memory);
+  simulator_->tally().load(state.memory);
   stepper_.load(state.memory.at("time-step"));
-  clock_ = {state.step, state.time, 0};
-  if (setup_.particles > 0)
-    clock_.collisions = 2 * static_cast<double>(tally.collisions) / static_cast<double>(setup_.particles);
+  collisions_.load(state.memory.at("collisions"));
+  clock_ = {state.step, state.time,
+            collisions_.per_particle(simulator_->tally().collisions, simulator_->size())};
   for (std::size_t i = 0; i < planes_.size(); ++i)
     planes_[i].load(state.memory.at(fmt::format("plane-{}", i)));
   for (std::size_t i = 0; i < watches_.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/run/collision_count.hpp"
 #include "sim/run/event_trace.hpp"
 #include "sim/run/schedule.hpp"
 #include "sim/run/time_step.hpp"
@@ -16,8 +17,7 @@ template <int D>
 class ReplicaRun {
  public:
   /// `state`: go on from this checkpoint; null: begin with the initial particles and the first samples.
-  ReplicaRun(const Scene& scene, const Setup<D>& setup, const Mutation& mutation, const Streams& streams,
-             const State* state);
+  ReplicaRun(const Setup<D>& setup, const Streams& streams, const State* state);
 
   bool done() const { return finished(scene_.run.duration, clock_); }
   void step();
@@ -48,14 +48,15 @@ class ReplicaRun {
   void refuse_standstill() const;
   std::map<std::string, double> counters();
 
+  const Setup<D>& setup_;
   const Scene& scene_;
   Streams streams_;
   std::vector<Plane> planes_;
   std::unique_ptr<EventTrace<D>> trace_;  ///< of the first replica, if asked for
   std::unique_ptr<Simulator<D>> simulator_;
-  const Setup<D>& setup_;
   TimeStepper<D> stepper_;
   Clock clock_;
+  CollisionCount collisions_;
   std::vector<Watch> watches_;
   std::optional<Schedule> frames_;
   std::vector<Frame> trajectory_;

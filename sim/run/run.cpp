@@ -39,7 +39,6 @@ class Stopwatch {
 
 Record empty_record(const Scene& scene, const RunOptions& options) {
   Record record;
-  record.scene = write_scene(scene);
   record.provenance = current_provenance();
   record.provenance.mutation = options.mutation.name;
   record.dimension = scene.domain.dimension;
@@ -54,12 +53,13 @@ template <int D>
 class Runner {
  public:
   Runner(const Scene& scene, const RunOptions& options, Record record)
-      : scene_(scene),
-        options_(options),
+      : options_(options),
         setup_(set_up<D>(scene, options.mutation)),
+        scene_(setup_.scene),
         record_(std::move(record)),
         watch_(record_.timings),
         pace_(options.progress) {
+    record_.scene = write_scene(scene_);
     if (scene.output.checkpoint) checkpoints_.emplace(*scene.output.checkpoint);
     for (const Replica& replica : record_.replicas) moves_before_ += replica.counters.at("particle-moves");
   }
@@ -73,7 +73,7 @@ class Runner {
 
  private:
   void run_replica() {
-    ReplicaRun<D> replica(scene_, setup_, options_.mutation, {scene_.run.seed, record_.replicas.size()},
+    ReplicaRun<D> replica(setup_, {scene_.run.seed, record_.replicas.size()},
                           record_.state ? &*record_.state : nullptr);
     record_.state.reset();
     if (checkpoints_) checkpoints_->resume(replica.clock());
@@ -132,9 +132,9 @@ class Runner {
                  moves_before_ + static_cast<double>(replica.moves()));
   }
 
-  const Scene& scene_;
   const RunOptions& options_;
   Setup<D> setup_;
+  const Scene& scene_;
   Record record_;
   Stopwatch watch_;
   Pace pace_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/method/plan.hpp"
+#include "sim/method/planted_fault.hpp"
 #include "sim/record/record.hpp"
 #include "sim/scene/scene.hpp"
 
@@ -10,16 +12,14 @@
 
 namespace sandglass {
 
-/// A small wrong change of physics or numerics, planted on purpose by the mutant suite.
-/// The names are listed by mutations(); an empty name is the honest program.
+/// The fault that a run is planted with, one of planted_faults() of its family; an empty name is the honest program.
 struct Mutation {
   std::string name;
 };
-struct MutationInfo {
-  std::string name;
-  std::string summary;
-};
-const std::vector<MutationInfo>& mutations();
+/// The faults that the methods of a family can be planted with. Throws InputError for a family that is not known.
+const std::vector<PlantedFault>& planted_faults(const std::string& family);
+/// Those of all families, each name once.
+const std::vector<PlantedFault>& planted_faults();
 
 struct Progress {
   double fraction;          ///< of the whole run, 0 to 1
@@ -50,16 +50,6 @@ Record run_scene(const Scene& scene, const RunOptions& options = {});
 Record resume(const Record& checkpoint, const RunOptions& options = {});
 
 /// What a scene needs and what it leaves out, before anything runs.
-struct Plan {
-  std::string method;
-  std::uint64_t particles = 0, cells = 0, replicas = 1;
-  double particles_per_cell = 0, cell_size_in_mean_free_paths = 0;
-  double time_step = 0, collisions_per_particle_and_step = 0;
-  double bytes_per_particle = 0;
-  double steps = 0, particle_moves = 0, expected_collisions = 0;
-  std::vector<std::string> columns, used, left_out;
-  std::vector<std::string> warnings;  ///< e.g. cells wider than a mean free path
-};
 Plan plan(const Scene& scene);
 
 }  // namespace sandglass

@@ -2,7 +2,7 @@
 
 #include "sim/method/simulator.hpp"
 #include "sim/run/test_scene.hpp"
-#include "sim/scene/catalogue.hpp"
+#include "sim/scene/observe/observers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ inline Scene hard_scene(const std::vector<double>& box, std::uint64_t count,
                         Positions positions = Positions::lattice) {
   Scene scene = test_scene(static_cast<int>(box.size()), 1, count);
   scene.domain.size = box;
-  scene.method.preset = event_driven_preset;
+  choose(scene.method, "event-driven");
   scene.initial.positions = positions;
   return scene;
 }

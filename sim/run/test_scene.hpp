@@ -4,6 +4,8 @@
 
 namespace sandglass {
 
+inline DsmcOptions& dsmc_options(Scene& scene) { return std::get<DsmcOptions>(scene.method.options); }
+
 /// A gas in a periodic box with a fixed step, to be changed by a test.
 inline Scene test_scene(int dimension, double edge, std::uint64_t count) {
   Scene scene;

@@ -18,18 +18,17 @@ template <int D>
 void expect_wanted_collisions(double restitution, const std::string& preset, double factor_of_density) {
   Scene scene = test_scene(D, D == 2 ? 250 : 40, kParticles);
   scene.species[0].restitution = restitution;
-  scene.method.preset = preset;
-  if (preset == "dsmc-enskog") scene.method.contact_factor = ContactFactor::local;
+  choose(scene.method, preset);
   scene.method.weight = factor_of_density;
   scene.method.time_step = {{}, 0.05};
   const Setup<D> setup = set_up<D>(scene, {});
-  dsmc::Dsmc<D> gas(setup.grid, setup.parameters, setup.motion, {1, 0});
-  gas.assign(initial_particles<D>(scene, setup, {1, 0}));
-  TimeStepper<D> stepper(scene, setup);
+  const auto gas = setup.method->build({1, 0}, {});
+  gas->assign(initial_particles<D>(setup, {1, 0}));
+  TimeStepper<D> stepper(setup);
   constexpr int kSteps = 400;
-  for (std::uint64_t step = 0; step < kSteps; ++step) gas.step(stepper.next(gas.view(), step), step);
+  for (std::uint64_t step = 0; step < kSteps; ++step) gas->step(stepper.next(gas->view(), step), step);
   const double per_step =
-      2.0 * static_cast<double>(gas.tally().collisions) / (kSteps * static_cast<double>(kParticles));
+      2.0 * static_cast<double>(gas->tally().collisions) / (kSteps * static_cast<double>(kParticles));
   EXPECT_NEAR(per_step / 0.05, 1, 0.01) << D << "D, restitution " << restitution << ", " << preset;
 }
 
@@ -51,8 +50,8 @@ double expected_rate(double diameter, ContactFactor factor) {
   Scene scene = test_scene(D, 10, 30);
   scene.species[0].diameter = diameter;
   scene.species[0].mass = 2;
-  scene.method.contact_factor = factor;
-  return expected_collision_rate(scene, set_up<D>(scene, {}), 0.5);
+  dsmc_options(scene).contact_factor = factor;
+  return set_up<D>(scene, {}).method->collision_rate(0.5);
 }
 
 /// Enskog: 2 sqrt(pi) n d g sqrt(T/m) for disks, 4 n d^2 g sqrt(pi T/m) for spheres.
@@ -71,20 +70,10 @@ TEST(TimeStepper, RefusesAGasWithoutMotion) {
   scene.method.time_step = {{}, 0.05};
   scene.initial.temperature = 0;
   const auto setup = set_up<2>(scene, {});
-  dsmc::Dsmc<2> gas(setup.grid, setup.parameters, setup.motion, {1, 0});
-  gas.assign(initial_particles<2>(scene, setup, {1, 0}));
-  TimeStepper<2> stepper(scene, setup);
-  EXPECT_THROW(stepper.next(gas.view(), 0), RunError);
-}
-
-/// The offset carries m l r |c_n| a collision, hard cores m d (1 + r)/2 |c_n|.
-TEST(SetUp, CorrectedOffsetCarriesTheVirialOfHardCores) {
-  Scene scene = test_scene(2, 10, 30);
-  scene.species[0].diameter = 0.9;
-  scene.species[0].restitution = 0.6;
-  scene.method.offset = Offset::corrected;
-  const double length = set_up<2>(scene, {}).parameters.offset.consistent;
-  EXPECT_NEAR(length * 0.6, 0.9 * (1 + 0.6) / 2, 1e-14);
+  const auto gas = setup.method->build({1, 0}, {});
+  gas->assign(initial_particles<2>(setup, {1, 0}));
+  TimeStepper<2> stepper(setup);
+  EXPECT_THROW(stepper.next(gas->view(), 0), RunError);
 }
 
 }  // namespace

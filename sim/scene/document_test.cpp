@@ -1,7 +1,8 @@
-#include "sim/scene/document.hpp"
+#include "sim/scene/text/document.hpp"
 
 #include "sim/base/error.hpp"
-#include "sim/scene/catalogue.hpp"
+#include "sim/scene/method/event_driven.hpp"
+#include "sim/scene/method/family.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/scene/words.hpp"
 
@@ -39,7 +40,7 @@ TEST(Document, KeepsTheOrderAndThePlacesOfTheText) {
 }
 
 void add_event_driven(Scene& scene) {
-  scene.method.preset = event_driven_preset;
+  choose(scene.method, "event-driven");
   const auto rules = surface_kind_words();
   for (const auto& [name, rule] : rules) {
     const SurfaceRule surface{rule, 1, 1, 1.0, 1, 1};
@@ -56,9 +57,7 @@ TEST(Reference, NamesEveryKeyPresetAndObserver) {
   Scene scene;
   scene.domain = {3, {1, 1, 1}, {{}, {}, {}}};
   scene.species.emplace_back() = {"a", 3, 0.1, 0.1, 1, 1, 1, 0, 1.0, 1.0};
-  scene.method.offset = Offset::random;
-  scene.method.cells = {1, 1, 1};
-  scene.method.cell_size = 1;
+  scene.method.options = DsmcOptions{{}, {}, Offset::random, 0.5, {1, 1, 1}, 1.0};
   scene.gravity = {0, 0, 1};
   scene.initial.velocity = {0, 0, 0};
   scene.initial.shear_wave = ShearWave{};
@@ -69,7 +68,7 @@ TEST(Reference, NamesEveryKeyPresetAndObserver) {
   collect_keys(parse_document(write_scene(scene), ""), words);
   add_event_driven(scene);
   for (const CollapseGuard guard : {CollapseGuard::contact_time, CollapseGuard::velocity_dependent}) {
-    scene.method.guard = guard;
+    scene.method.options = EventDrivenOptions{{guard, 1, 1}};
     collect_keys(parse_document(write_scene(scene), ""), words);
   }
   for (const std::string& name : names_of(surface_kind_words())) words.insert('"' + name + '"');

@@ -1,6 +1,6 @@
 #include "sim/base/error.hpp"
-#include "sim/scene/mutator.hpp"
 #include "sim/scene/scene.hpp"
+#include "sim/scene/test_mutator.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/scene/fault_table.hpp"
+#include "sim/scene/test_bad_scene.hpp"
 
 namespace sandglass {
 namespace {

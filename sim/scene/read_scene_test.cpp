@@ -1,5 +1,5 @@
 #include "sim/base/error.hpp"
-#include "sim/scene/catalogue.hpp"
+#include "sim/scene/observe/observers.hpp"
 #include "sim/scene/scene.hpp"
 
 #include <gmock/gmock.h>
@@ -20,6 +20,8 @@ Scene read(const std::string& method, const std::string& more = "") {
           method + '\n' + more,
       "scene.toml");
 }
+
+DsmcOptions chosen(const std::string& method) { return std::get<DsmcOptions>(read(method).method.options); }
 
 TEST(ReadScene, DefaultsAreThoseOfTheStructs) {
   const Scene scene = read("");
@@ -46,21 +48,22 @@ TEST(ReadScene, GravityOfNoStrengthIsNoGravity) {
 }
 
 TEST(ReadScene, APresetFillsInItsChoices) {
-  EXPECT_EQ(read("preset = 'dsmc'").method.contact_factor, ContactFactor::none);
-  EXPECT_EQ(read("preset = 'dsmc-enskog'").method.contact_factor, ContactFactor::local);
-  EXPECT_EQ(read("preset = 'dsmc-enskog'").method.offset, Offset::none);
-  EXPECT_EQ(read("preset = 'cba'").method.offset, Offset::consistent);
-  EXPECT_EQ(read("preset = 'cba-corrected'").method.offset, Offset::corrected);
-  EXPECT_EQ(read("preset = 'cuba'").method.offset, Offset::random);
-  EXPECT_EQ(read("preset = 'cuba'").method.random_offset, default_random_offset);
+  EXPECT_EQ(chosen("preset = 'dsmc'").contact_factor, ContactFactor::none);
+  EXPECT_EQ(chosen("preset = 'dsmc-enskog'").contact_factor, ContactFactor::local);
+  EXPECT_EQ(chosen("preset = 'dsmc-enskog'").offset, Offset::none);
+  EXPECT_EQ(chosen("preset = 'cba'").offset, Offset::consistent);
+  EXPECT_EQ(chosen("preset = 'cba-corrected'").offset, Offset::corrected);
+  EXPECT_EQ(chosen("preset = 'cuba'").offset, Offset::random);
+  EXPECT_EQ(chosen("preset = 'cuba'").random_offset, 0.5);
 }
 
 TEST(ReadScene, AnOverrideWinsOverThePresetWhicheverComesFirst) {
   const Method method = read("offset = 'consistent'\npreset = 'cuba'\ncontact-factor = 'none'").method;
   EXPECT_EQ(method.preset, "cuba");
-  EXPECT_EQ(method.offset, Offset::consistent);
-  EXPECT_EQ(method.contact_factor, ContactFactor::none);
-  EXPECT_EQ(method.random_offset, 0);
+  const DsmcOptions& dsmc = std::get<DsmcOptions>(method.options);
+  EXPECT_EQ(dsmc.offset, Offset::consistent);
+  EXPECT_EQ(dsmc.contact_factor, ContactFactor::none);
+  EXPECT_EQ(dsmc.random_offset, 0);
 }
 
 TEST(ReadScene, OneWordOrTwoNameTheSidesOfAnAxis) {

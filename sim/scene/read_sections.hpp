@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/scene/scene.hpp"
-#include "sim/scene/table.hpp"
+#include "sim/scene/text/table.hpp"
 
 // One function per table of a scene file. Each fills in its struct and reports faults of type and spelling;
 // what the values may be, alone and together, is the business of rules.hpp.

@@ -1,6 +1,6 @@
 #include "sim/scene/rules.hpp"
 
-#include "sim/scene/bounds.hpp"
+#include "sim/scene/text/bounds.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -21,16 +21,15 @@ const std::vector<Rule>& all_rules() {
       {{}, check_method},
       {{"domain"}, check_walls},
       {{"domain"}, check_obstacles},
-      {{"method.preset"}, check_event_driven},
+      {{"method.preset"}, check_family},
+      {{"method.preset"}, check_capabilities},
       {{"domain", "method.preset"}, check_given},
       {{"species", "wall", "obstacle"}, check_spins},
       {{"domain", "species", "method", "particle"}, check_packing},
-      {{"domain.dimension", "domain.size", "method.cells", "method.cell-size"}, check_cells},
       {{"domain.dimension", "forces"}, check_gravity},
       {{"domain.dimension"}, check_initial},
       {{"domain", "species", "method", "initial.positions"}, check_overlap},
       {{"domain.dimension", "domain.size"}, check_observers},
-      {{"domain", "method", "species", "observe", "initial", "run", "output"}, check_reservoir},
   };
   return rules;
 }

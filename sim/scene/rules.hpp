@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/scene/diagnostics.hpp"
 #include "sim/scene/scene.hpp"
+#include "sim/scene/text/diagnostics.hpp"
 
 #include <optional>
 #include <string>
@@ -19,17 +19,18 @@ void check_domain(const Scene& scene, Diagnostics& diagnostics);
 void check_species(const Scene& scene, Diagnostics& diagnostics);
 void check_packing(const Scene& scene, Diagnostics& diagnostics);
 void check_method(const Scene& scene, Diagnostics& diagnostics);
-void check_cells(const Scene& scene, Diagnostics& diagnostics);
 void check_gravity(const Scene& scene, Diagnostics& diagnostics);
 void check_initial(const Scene& scene, Diagnostics& diagnostics);
 void check_overlap(const Scene& scene, Diagnostics& diagnostics);
 void check_observers(const Scene& scene, Diagnostics& diagnostics);
-void check_reservoir(const Scene& scene, Diagnostics& diagnostics);
 void check_walls(const Scene& scene, Diagnostics& diagnostics);
 void check_obstacles(const Scene& scene, Diagnostics& diagnostics);
 void check_given(const Scene& scene, Diagnostics& diagnostics);
 void check_spins(const Scene& scene, Diagnostics& diagnostics);
-void check_event_driven(const Scene& scene, Diagnostics& diagnostics);
+/// Of the family itself, on its keys and what they need.
+void check_family(const Scene& scene, Diagnostics& diagnostics);
+/// What the scene asks of a method that cannot do it.
+void check_capabilities(const Scene& scene, Diagnostics& diagnostics);
 
 void check_rough(double tangential_restitution, const std::optional<double>& friction,
                  const std::string& path, Diagnostics& diagnostics);

@@ -1,7 +1,7 @@
 #include "sim/scene/scene.hpp"
 
 #include "sim/base/error.hpp"
-#include "sim/scene/catalogue.hpp"
+#include "sim/scene/method/family.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ std::uint64_t count_given(const Scene& scene, const Species& species) {
 }
 }  // namespace
 
-bool is_event_driven(const Scene& scene) { return scene.method.preset == event_driven_preset; }
+std::string method_family(const Scene& scene) { return family_of(scene.method).name; }
 
 bool is_rough(const Scene& scene) {
   const auto surface_rough = [](const auto& item) { return rough(item.surface.tangential_restitution); };

@@ -12,32 +12,6 @@ const Words<Side>& side_words() {
   return words;
 }
 
-const Words<ContactFactor>& contact_factor_words() {
-  static const Words<ContactFactor> words = {{"none", ContactFactor::none}, {"local", ContactFactor::local}};
-  return words;
-}
-
-const Words<DensityEstimate>& density_words() {
-  static const Words<DensityEstimate> words = {{"smoothed", DensityEstimate::smoothed},
-                                               {"cell", DensityEstimate::cell}};
-  return words;
-}
-
-const Words<Offset>& offset_words() {
-  static const Words<Offset> words = {{"none", Offset::none},
-                                      {"consistent", Offset::consistent},
-                                      {"corrected", Offset::corrected},
-                                      {"random", Offset::random}};
-  return words;
-}
-
-const Words<CollapseGuard>& guard_words() {
-  static const Words<CollapseGuard> words = {{"none", CollapseGuard::none},
-                                             {"contact-time", CollapseGuard::contact_time},
-                                             {"velocity-dependent", CollapseGuard::velocity_dependent}};
-  return words;
-}
-
 const Words<std::optional<Positions>>& positions_words() {
   static const Words<std::optional<Positions>> words = {
       {"random", Positions::random},

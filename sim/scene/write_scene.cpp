@@ -1,5 +1,6 @@
-#include "sim/scene/catalogue.hpp"
+#include "sim/scene/method/family.hpp"
 #include "sim/scene/rules.hpp"
+#include "sim/scene/words.hpp"
 #include "sim/scene/write_sections.hpp"
 
 #include <fmt/format.h>
@@ -39,29 +40,11 @@ void write_species(Lines& lines, const Species& species, int dimension) {
   lines.add("moment-of-inertia", species.inertia_factor);
 }
 
-void write_guard(Lines& lines, const Method& method) {
-  lines.add("collapse-guard", word_of(guard_words(), method.guard));
-  if (method.guard == CollapseGuard::contact_time) lines.add("contact-time", method.contact_time);
-  if (method.guard == CollapseGuard::velocity_dependent) lines.add("reference-speed", method.reference_speed);
-}
-
-void write_policies(Lines& lines, const Method& method) {
-  lines.add("contact-factor", word_of(contact_factor_words(), method.contact_factor));
-  lines.add("density", word_of(density_words(), method.density));
-  lines.add("offset", word_of(offset_words(), method.offset));
-  if (method.offset == Offset::random) lines.add("random-offset", method.random_offset);
-  if (!method.cells.empty()) lines.add("cells", method.cells);
-  lines.add("cell-size", method.cell_size);
-}
-
 void write_method(Lines& lines, const Scene& scene) {
   const Method& method = scene.method;
   lines.header("[method]");
   lines.add("preset", method.preset);
-  if (is_event_driven(scene))
-    write_guard(lines, method);
-  else
-    write_policies(lines, method);
+  family_of(method).write(lines, method.options);
   lines.add("time-step", method.time_step);
   lines.add("weight", method.weight);
 }

@@ -1,5 +1,5 @@
 #include "sim/base/error.hpp"
-#include "sim/scene/catalogue.hpp"
+#include "sim/scene/method/family.hpp"
 #include "sim/scene/scene.hpp"
 
 #include <filesystem>
@@ -9,13 +9,16 @@
 namespace sandglass {
 namespace {
 
+DsmcOptions& dsmc_of(Scene& scene) { return std::get<DsmcOptions>(scene.method.options); }
+Guard& guard_in(Scene& scene) { return std::get<EventDrivenOptions>(scene.method.options).guard; }
+
 Scene plain_scene(int dimension) {
   Scene scene;
   scene.domain.dimension = dimension;
   scene.domain.size.assign(static_cast<std::size_t>(dimension), 10.0);
   scene.domain.sides.assign(static_cast<std::size_t>(dimension), {Side::periodic, Side::periodic});
   scene.species.emplace_back().count = 50;
-  scene.method.cell_size = 1.0;
+  dsmc_of(scene).cell_size = 1.0;
   scene.method.time_step.fixed = 0.1;
   scene.run.duration.time = 10;
   return scene;
@@ -23,8 +26,7 @@ Scene plain_scene(int dimension) {
 
 Scene event_driven_scene(int dimension) {
   Scene scene = plain_scene(dimension);
-  scene.method.preset = event_driven_preset;
-  scene.method.cell_size.reset();
+  choose(scene.method, "event-driven");
   scene.initial.positions = Positions::lattice;
   return scene;
 }
@@ -43,16 +45,16 @@ TEST(WriteScene, PlainScenesReadBackEqual) {
 }
 
 TEST(WriteScene, EveryChoiceOfAPresetReadsBackEqual) {
-  for (const Preset& preset : presets())
+  for (const Preset& preset : dsmc_family().presets)
     for (const ContactFactor factor : {ContactFactor::none, ContactFactor::local})
       for (const Offset offset : {Offset::none, Offset::consistent, Offset::corrected, Offset::random}) {
-        if (preset.name == reservoir_preset || preset.name == event_driven_preset) continue;
         Scene scene = plain_scene(2);
         scene.method.preset = preset.name;
-        scene.method.contact_factor = factor;
-        scene.method.offset = offset;
-        if (offset == Offset::random) scene.method.random_offset = 0.25;
-        if (factor == ContactFactor::local) scene.method.density = DensityEstimate::cell;
+        DsmcOptions& dsmc = dsmc_of(scene);
+        dsmc.contact_factor = factor;
+        dsmc.offset = offset;
+        if (offset == Offset::random) dsmc.random_offset = 0.25;
+        if (factor == ContactFactor::local) dsmc.density = DensityEstimate::cell;
         expect_round_trip(scene);
       }
 }
@@ -97,8 +99,8 @@ TEST(WriteScene, EveryOtherKeyReadsBackEqual) {
   scene.domain.sides[1] = {Side::specular, Side::specular};
   scene.gravity = {0, -0.5};
   scene.species[0] = {"bead_1", {}, 0.3, {}, 1.25, 2.5, 0.85};
-  scene.method.cell_size.reset();
-  scene.method.cells = {4, 5};
+  dsmc_of(scene).cell_size.reset();
+  dsmc_of(scene).cells = {4, 5};
   scene.method.time_step = {{}, 0.2};
   scene.initial.positions = Positions::random_without_overlap;
   scene.initial.velocity = {1, -2};
@@ -125,12 +127,9 @@ TEST(WriteScene, EventDrivenScenesReadBackEqual) {
   for (const int dimension : {2, 3}) {
     Scene scene = event_driven_scene(dimension);
     expect_round_trip(scene);
-    scene.method.guard = CollapseGuard::contact_time;
-    scene.method.contact_time = 1e-5;
+    guard_in(scene) = {CollapseGuard::contact_time, 1e-5, 0};
     expect_round_trip(scene);
-    scene.method.guard = CollapseGuard::velocity_dependent;
-    scene.method.contact_time = 0;
-    scene.method.reference_speed = 0.25;
+    guard_in(scene) = {CollapseGuard::velocity_dependent, 0, 0.25};
     scene.species[0].tangential_restitution = 0.3;
     scene.species[0].friction = 0.0;
     scene.species[0].inertia_factor = 0.75;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/scene/write_value.hpp"
+#include "sim/scene/text/write_value.hpp"
 
 // The tables of a scene that hold what is beside the particles' own kind; the rest stands in write_scene.cpp.
 

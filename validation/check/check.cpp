@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
+#include "sim/scene/method/capabilities.hpp"
 #include "validation/check/families.hpp"
 
 #include <algorithm>
@@ -119,19 +120,24 @@ bool is_uniform(const Scene& scene) {
 
 bool is_equilibrium(const Scene& scene) {
   return is_uniform(scene) && scene.given.empty() && scene.species.front().restitution == 1 &&
-         !scene.initial.shear_wave && scene.method.preset != "reservoir";
+         !scene.initial.shear_wave && capabilities(scene).collisions;
 }
 
-bool is_cooling(const Scene& scene) {
+namespace {
+bool loses_energy(const Scene& scene) {
   return is_uniform(scene) && scene.given.empty() && scene.species.front().restitution < 1 &&
-         !scene.initial.shear_wave && scene.method.preset != "reservoir" &&
-         scene.method.guard == CollapseGuard::none;
+         !scene.initial.shear_wave && capabilities(scene).collisions;
+}
+}  // namespace
+
+bool is_cooling(const Scene& scene) {
+  return loses_energy(scene) && guard_of(scene.method).kind == CollapseGuard::none;
 }
 
 bool is_guarded(const Scene& scene) {
-  Scene unguarded = scene;
-  unguarded.method.guard = CollapseGuard::none;
-  return scene.method.guard == CollapseGuard::contact_time && is_cooling(unguarded);
+  return loses_energy(scene) && guard_of(scene.method).kind == CollapseGuard::contact_time;
 }
+
+bool touches(const Scene& scene) { return capabilities(scene).contacts; }
 
 }  // namespace sandglass

@@ -1,4 +1,5 @@
 #include "sim/base/error.hpp"
+#include "sim/scene/method/capabilities.hpp"
 #include "validation/check/clustering_excess.hpp"
 #include "validation/check/clustering_reference.hpp"
 #include "validation/check/families.hpp"
@@ -107,7 +108,7 @@ Evidence excluded_volume(const Subject& subject, const law::Arguments&) {
 
 bool loses_energy(const Scene& scene) {
   return is_uniform(scene) && scene.species.front().restitution < 1 && !scene.initial.shear_wave &&
-         scene.method.preset != "reservoir";
+         capabilities(scene).collisions;
 }
 
 /// What the reference holds for, whatever the method and the number of particles.
@@ -116,7 +117,7 @@ bool clusters_like_reference(const Scene& scene) {
          std::abs(scene.species.front().restitution - 0.8) < 1e-9 && std::abs(fraction(scene) - 0.25) < 1e-6;
 }
 
-bool has_hard_pairs(const Scene& scene) { return is_event_driven(scene) && is_uniform(scene); }
+bool has_hard_pairs(const Scene& scene) { return touches(scene) && is_uniform(scene); }
 }  // namespace
 
 std::vector<CheckInfo> clustering_checks() {

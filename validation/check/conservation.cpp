@@ -1,3 +1,4 @@
+#include "sim/scene/method/capabilities.hpp"
 #include "validation/check/families.hpp"
 #include "validation/check/worst.hpp"
 
@@ -63,10 +64,10 @@ Evidence energy_conservation(const Subject& subject, const law::Arguments&) {
 }
 
 bool is_elastic(const Scene& scene) {
-  return is_uniform(scene) && scene.species.front().restitution == 1 && scene.method.preset != "reservoir";
+  return is_uniform(scene) && scene.species.front().restitution == 1 && capabilities(scene).particles;
 }
 
-bool has_particles(const Scene& scene) { return is_uniform(scene) && scene.method.preset != "reservoir"; }
+bool has_particles(const Scene& scene) { return is_uniform(scene) && capabilities(scene).particles; }
 }  // namespace
 
 std::vector<CheckInfo> conservation_checks() {

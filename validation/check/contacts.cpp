@@ -97,11 +97,11 @@ Evidence overlap(const Subject& subject, const law::Arguments& numbers) {
 
 /// Müller finds P(b) even for r >= 0.9 at any density (MUL-5).
 bool contacts_are_even(const Scene& scene) {
-  return is_event_driven(scene) && is_uniform(scene) && scene.species.front().restitution >= 0.9 &&
+  return touches(scene) && is_uniform(scene) && scene.species.front().restitution >= 0.9 &&
          !scene.initial.shear_wave;
 }
 
-bool has_contacts(const Scene& scene) { return is_event_driven(scene) && is_uniform(scene); }
+bool has_contacts(const Scene& scene) { return touches(scene) && is_uniform(scene); }
 
 law::Parameter least_part(const std::string& summary) { return {"least", "1", summary, 0, 1}; }
 }  // namespace
@@ -137,7 +137,7 @@ std::vector<CheckInfo> contact_checks() {
            {"overlap"},
            false,
            {{"deepest", "diameters", "deepest overlap that rounding may leave", 0, 1, 1e-9}},
-           is_event_driven,
+           touches,
            overlap}};
 }
 

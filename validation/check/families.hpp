@@ -34,5 +34,7 @@ bool is_cooling(const Scene& scene);
 bool is_few_bodies(const Scene& scene);
 /// Cooling under the TC model.
 bool is_guarded(const Scene& scene);
+/// Particles have a surface and collide where it touches.
+bool touches(const Scene& scene);
 
 }  // namespace sandglass

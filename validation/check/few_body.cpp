@@ -129,8 +129,8 @@ Evidence few_body_state(const Subject& subject, const law::Arguments&) {
 bool is_few_bodies(const Scene& scene) {
   const auto periodic = [](const std::array<Side, 2>& sides) { return sides[0] == Side::periodic; };
   const auto none = [](double component) { return component == 0; };
-  return is_event_driven(scene) && !scene.given.empty() && scene.given.size() <= 20 &&
-         scene.method.guard == CollapseGuard::none && scene.obstacles.empty() &&
+  return touches(scene) && !scene.given.empty() && scene.given.size() <= 20 &&
+         guard_of(scene.method).kind == CollapseGuard::none && scene.obstacles.empty() &&
          std::ranges::all_of(scene.domain.sides, periodic) && std::ranges::all_of(scene.gravity, none);
 }
 

@@ -34,25 +34,25 @@ double gravity_of(const Scene& scene) {
 }
 
 bool falls_on_floor(const Scene& scene) {
-  if (!is_event_driven(scene) || scene.given.size() != 1 || fall_axis(scene) < 0 || is_rough(scene))
-    return false;
+  if (!touches(scene) || scene.given.size() != 1 || fall_axis(scene) < 0 || is_rough(scene)) return false;
   const Wall floor = floor_of(scene);
   const double speed = floor.velocity.empty() ? 0 : floor.velocity[static_cast<std::size_t>(floor.axis)];
   return floor.surface.rule == SurfaceKind::specular && speed == 0 && scene.obstacles.empty() &&
-         scene.method.guard != CollapseGuard::contact_time;
+         guard_of(scene.method).kind != CollapseGuard::contact_time;
 }
 
 bool is_bouncing(const Scene& scene) { return falls_on_floor(scene) && floor_of(scene).amplitude == 0; }
 bool is_vibrated(const Scene& scene) {
-  return falls_on_floor(scene) && floor_of(scene).amplitude > 0 && scene.method.guard == CollapseGuard::none;
+  return falls_on_floor(scene) && floor_of(scene).amplitude > 0 &&
+         guard_of(scene.method).kind == CollapseGuard::none;
 }
 
 law::BouncingBall ball_of(const Scene& scene) {
   const auto axis = static_cast<std::size_t>(fall_axis(scene));
   law::BouncingBall ball{gravity_of(scene), scene.given[0].position[axis] - scene.species[0].diameter / 2,
                          scene.given[0].velocity[axis], floor_of(scene).surface.restitution};
-  if (scene.method.guard == CollapseGuard::velocity_dependent)
-    ball.reference_speed = scene.method.reference_speed;
+  if (guard_of(scene.method).kind == CollapseGuard::velocity_dependent)
+    ball.reference_speed = guard_of(scene.method).reference_speed;
   return ball;
 }
 

@@ -1,6 +1,7 @@
 #include "validation/law/flux.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/scene/method/capabilities.hpp"
 #include "validation/check/families.hpp"
 #include "validation/check/histogram.hpp"
 
@@ -45,8 +46,6 @@ std::vector<double> interval_fluxes(const Subject& subject, std::size_t replica,
   return fluxes;
 }
 
-bool is_reservoir(const Scene& scene) { return scene.method.preset == "reservoir"; }
-
 Evidence flux_rate(const Subject& subject, Way way) {
   std::vector<std::vector<double>> fluxes;
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)
@@ -56,7 +55,7 @@ Evidence flux_rate(const Subject& subject, Way way) {
   Evidence evidence =
       from_mean(flux, way == Way::up ? law::flux_forward(stream) : law::flux_backward(stream));
   evidence.units = "length^(1-D) time^-1";
-  if (is_reservoir(subject.scene())) return evidence;
+  if (!capabilities(subject.scene()).particles) return evidence;
   evidence.budget.systematic = 2 / subject.particles() * evidence.expected;
   evidence.budget.reason = "finite N: moments of a sphere instead of a Gaussian";
   return evidence;

@@ -31,7 +31,7 @@ std::vector<Interval> intervals(const Subject& subject, std::size_t replica, con
     const double collisions = tau[i] - tau[i - 1];
     found.push_back(
         {std::log(energy[i - 1] / energy[i]) / collisions,
-         collisions / (series.time[i] - series.time[i - 1]) * subject.scene().method.contact_time});
+         collisions / (series.time[i] - series.time[i - 1]) * guard_of(subject.scene().method).contact_time});
   }
   if (found.empty())
     throw InputError(

@@ -139,8 +139,8 @@ Evidence contact_value(const Subject& subject, const law::Arguments& numbers) {
   return evidence;
 }
 
-bool touches_evenly(const Scene& scene) { return is_event_driven(scene) && is_uniform(scene); }
-bool rests_evenly(const Scene& scene) { return is_event_driven(scene) && is_equilibrium(scene); }
+bool touches_evenly(const Scene& scene) { return touches(scene) && is_uniform(scene); }
+bool rests_evenly(const Scene& scene) { return touches(scene) && is_equilibrium(scene); }
 
 law::Parameter shells(double fallback) {
   return {"shells", "1", "lowest shells of |k| that are used", 1, 100, fallback, 1};

@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
+#include "sim/scene/method/capabilities.hpp"
 #include "validation/check/finite_size.hpp"
 #include "validation/law/enskog.hpp"
 #include "validation/law/state.hpp"
@@ -37,13 +38,9 @@ Subject::Subject(const Record& record)
 }
 
 double Subject::particles_per_cell() const {
-  const Method& method = scene_.method;
   double cells = 1;
-  for (std::uint64_t count : method.cells) cells *= static_cast<double>(count);
-  if (method.cells.empty() && !method.cell_size) return 0;
-  if (method.cells.empty())
-    for (double edge : scene_.domain.size) cells *= std::max(1.0, std::round(edge / *method.cell_size));
-  return particles_ / cells;
+  for (const double count : cells_along(scene_)) cells *= count;
+  return cells_along(scene_).empty() ? 0 : particles_ / cells;
 }
 
 double Subject::collisions_per_step() const {
@@ -52,12 +49,12 @@ double Subject::collisions_per_step() const {
 }
 
 double Subject::missing_pairs() const {
-  if (scene_.method.offset == Offset::none || particles_per_cell() == 0) return 0;
+  if (!has_offset(scene_) || particles_per_cell() == 0) return 0;
   return (1 - law::long_wave_structure(gas(1))) / particles_per_cell();
 }
 
 double Subject::pair_factor() const {
-  if (!is_event_driven(scene_)) return (particles_ - 1) / particles_;
+  if (!capabilities(scene_).contacts) return (particles_ - 1) / particles_;
   return fixed_count_factor(dimension(), fraction(scene_, species()), particles_);
 }
 

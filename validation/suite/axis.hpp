@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/scene/diagnostics.hpp"
+#include "sim/scene/text/diagnostics.hpp"
 
 namespace sandglass {
 

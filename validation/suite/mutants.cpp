@@ -2,7 +2,6 @@
 
 #include "sim/base/error.hpp"
 #include "sim/run/run.hpp"
-#include "sim/scene/catalogue.hpp"
 
 #include <algorithm>
 #include <set>
@@ -11,14 +10,9 @@ namespace sandglass {
 
 namespace {
 std::string summary_of(const std::string& mutation) {
-  for (const MutationInfo& info : mutations())
+  for (const PlantedFault& info : planted_faults())
     if (info.name == mutation) return info.summary;
   return "";
-}
-
-std::string family_of(const Scene& scene) {
-  if (is_event_driven(scene)) return "event-driven";
-  return scene.method.preset == "reservoir" ? "reservoir" : "dsmc";
 }
 }  // namespace
 
@@ -54,9 +48,9 @@ std::vector<UntestedCheck> untested_checks(const Case& subject) {
   for (const std::string& tier : tier_names())
     for (const Task& task : expand(subject, tier, ""))
       for (const CheckUse* use : task.checks)
-        if (!use->known_limit(task.point, task.variant)) wanted.insert({use->check, family_of(task.scene)});
+        if (!use->known_limit(task.point, task.variant)) wanted.insert({use->check, method_family(task.scene)});
   for (const Mutant& mutant : subject.mutants)
-    wanted.erase({mutant.check, family_of(scene_of(subject, "", mutant.variant, mutant.point, {}))});
+    wanted.erase({mutant.check, method_family(scene_of(subject, "", mutant.variant, mutant.point, {}))});
   return {wanted.begin(), wanted.end()};
 }
 

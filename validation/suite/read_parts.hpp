@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/scene/table.hpp"
+#include "sim/scene/text/table.hpp"
 #include "validation/suite/case.hpp"
 #include "validation/suite/pattern.hpp"
 

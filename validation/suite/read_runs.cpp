@@ -63,7 +63,7 @@ class MutantReader {
 
   void read_one(Table& table, const Node& node) {
     Diagnostics& diagnostics = *choices_.diagnostics;
-    const auto faults = read_choice(table, "mutation", "mutation", choices_of(mutations()), diagnostics);
+    const auto faults = read_choice(table, "mutation", "mutation", choices_of(planted_faults()), diagnostics);
     const auto checks = read_choice(table, "check", "check", choices_of(all_checks()), diagnostics);
     Selection where;
     choices_.read(table, where);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/scene/document.hpp"
+#include "sim/scene/text/document.hpp"
 
 #include <string>
 #include <vector>

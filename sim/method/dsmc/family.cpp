@@ -1,0 +1,121 @@
+#include "sim/method/dsmc/family.hpp"
+
+#include "sim/method/collision_rate.hpp"
+#include "sim/method/dsmc/dsmc.hpp"
+#include "sim/method/dsmc/from_scene.hpp"
+#include "sim/method/dsmc/planted_faults.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sandglass::dsmc {
+
+namespace {
+
+template <int D>
+class Builder final : public MethodBuilder<D> {
+ public:
+  explicit Builder(const BuildRequest& request)
+      : scene_(request.scene),
+        grid_(grid_of<D>(scene_)),
+        parameters_(parameters_of<D>(scene_)),
+        motion_(motion_of<D>(scene_)) {
+    if (const FaultChange* plant = find_fault(planted_faults(), "dsmc", request.fault))
+      (*plant)(parameters_, D);
+    parameters_.measure_transfer = request.needs.transfer;
+    motion_.offsets = parameters_.offset.any();
+  }
+
+  double collision_rate(double temperature) const override {
+    const Species& species = scene_.species.front();
+    const double contact =
+        parameters_.factor.formula == nullptr ? 1 : parameters_.factor.formula(fraction(scene_)).value;
+    const double density =
+        static_cast<double>(particle_count(scene_)) * scene_.method.weight / volume(scene_.domain);
+    return M_SQRT2 * density * parameters_.cross_section * contact *
+           mean_speed(D, std::sqrt(temperature / species.mass));
+  }
+
+  std::unique_ptr<Simulator<D>> build(const Streams& streams,
+                                      const Attachments<D>& attachments) const override {
+    MotionParameters<D> motion = motion_;
+    motion.planes = attachments.planes;
+    return std::make_unique<Dsmc<D>>(grid_, parameters_, motion, streams, Purpose::collisions,
+                                     scene_.output.ids);
+  }
+
+  std::unique_ptr<Simulator<D>> build_elastic(const Streams& streams) const override {
+    Parameters elastic = parameters_;
+    elastic.restitution = 1;
+    elastic.measure_transfer = false;
+    MotionParameters<D> motion = motion_;
+    motion.gravity.setZero();
+    return std::make_unique<Dsmc<D>>(grid_, elastic, motion, streams, Purpose::equilibration);
+  }
+
+  void plan(Plan& plan) const override {
+    plan.cells = grid_.size();
+    plan.particles_per_cell = static_cast<double>(plan.particles) / static_cast<double>(plan.cells);
+    plan.cell_size_in_mean_free_paths = std::pow(grid_.cell_volume(), 1.0 / D) / plan.mean_free_path;
+    plan.columns = {"position", "velocity", "cell"};
+    if (scene_.output.ids) plan.columns.push_back("id");
+    plan.bytes_per_particle = bytes_per_particle(static_cast<double>(plan.particles));
+    plan.feature("contact factor of the local density", parameters_.factor.formula != nullptr);
+    plan.feature("offset along the momentum change", parameters_.offset.consistent != 0);
+    plan.feature("random offset", parameters_.offset.random != 0);
+    plan.feature("momentum carried by offsets (observer pressure)", parameters_.measure_transfer);
+    plan.feature("particle identities", scene_.output.ids);
+    warn(plan);
+  }
+
+  void record_choices(Scene& scene) const override {
+    DsmcOptions& options = std::get<DsmcOptions>(scene.method.options);
+    if (!options.cells.empty() || options.cell_size) return;
+    for (int axis = 0; axis < D; ++axis) options.cells.push_back(grid_.cells(axis));
+  }
+
+ private:
+  double bytes_per_particle(double particles) const {
+    const double per_cell = parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8;
+    return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
+           per_cell * grid_.size() / particles;
+  }
+
+  static void warn(Plan& plan) {
+    if (plan.cell_size_in_mean_free_paths > 1)
+      plan.warnings.push_back(
+          fmt::format("cells are {:.2g} mean free paths wide: transport is smeared over more than a free "
+                      "path; lower 'method.cell-size'",
+                      plan.cell_size_in_mean_free_paths));
+    if (plan.collisions_per_particle_and_step > 0.5)
+      plan.warnings.push_back(
+          fmt::format("{:.2g} collisions per particle and step: moving and colliding no longer decouple; "
+                      "shorten 'method.time-step'",
+                      plan.collisions_per_particle_and_step));
+    if (plan.particles_per_cell < 5)
+      plan.warnings.push_back(
+          fmt::format("{:.2g} particles per cell: the same pairs meet again and again; widen the cells or "
+                      "lower 'method.weight'",
+                      plan.particles_per_cell));
+  }
+
+  Scene scene_;
+  Grid<D> grid_;
+  Parameters parameters_;
+  MotionParameters<D> motion_;
+};
+
+template <int D>
+std::unique_ptr<MethodBuilder<D>> make_builder(const BuildRequest& request) {
+  return std::make_unique<Builder<D>>(request);
+}
+
+}  // namespace
+
+const FamilyBuilder& family() {
+  static const FamilyBuilder all{"dsmc", names_of_faults(planted_faults()), make_builder<2>, make_builder<3>};
+  return all;
+}
+
+}  // namespace sandglass::dsmc

@@ -1,0 +1,41 @@
+#include "sim/method/dsmc/from_scene.hpp"
+
+#include "sim/base/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sandglass::dsmc {
+namespace {
+
+Scene box_of(std::uint64_t particles) {
+  Scene scene;
+  scene.domain = {2, {10, 20}, {{}, {}}};
+  scene.species.emplace_back().count = particles;
+  scene.method.time_step.fixed = 0.1;
+  return scene;
+}
+
+/// The offset carries m l r |c_n| a collision, hard cores m d (1 + r)/2 |c_n|.
+TEST(FromScene, CorrectedOffsetCarriesTheVirialOfHardCores) {
+  Scene scene = box_of(30);
+  scene.species[0].diameter = 0.9;
+  scene.species[0].restitution = 0.6;
+  choose(scene.method, "cba-corrected");
+  const double length = parameters_of<2>(scene).offset.consistent;
+  EXPECT_NEAR(length * 0.6, 0.9 * (1 + 0.6) / 2, 1e-14);
+}
+
+TEST(FromScene, ChoosesCellsWhereTheSceneDoesNot) {
+  const Grid<2> grid = grid_of<2>(box_of(2000));
+  EXPECT_EQ(grid.cells(0), 10u);
+  EXPECT_EQ(grid.cells(1), 20u);
+}
+
+TEST(FromScene, MoreCellsThanNumbersAreRefused) {
+  Scene scene = box_of(30);
+  std::get<DsmcOptions>(scene.method.options).cells = {100'000, 100'000};
+  EXPECT_THROW(grid_of<2>(scene), InputError);
+}
+
+}  // namespace
+}  // namespace sandglass::dsmc

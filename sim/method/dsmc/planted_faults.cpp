@@ -1,0 +1,43 @@
+#include "sim/method/dsmc/planted_faults.hpp"
+
+#include <algorithm>
+
+namespace sandglass::dsmc {
+
+namespace {
+using P = Parameters&;
+}
+
+const std::vector<FaultEntry<FaultChange>>& planted_faults() {
+  static const std::vector<FaultEntry<FaultChange>> all = {
+      {{"cross-section-plus-5-percent", "cross-section 5% too large"},
+       [](P p, int) { p.cross_section *= 1.05; }},
+      {{"restitution-plus-2-percent", "restitution 2% too large, at most 1"},
+       [](P p, int) { p.restitution = std::min(1.0, 1.02 * p.restitution); }},
+      {{"restitution-minus-2-percent", "restitution 2% too small"}, [](P p, int) { p.restitution *= 0.98; }},
+      {{"restitution-forgotten", "every collision elastic"}, [](P p, int) { p.restitution = 1; }},
+      {{"restitution-plus-20-percent", "restitution 20% too large, at most 1"},
+       [](P p, int) { p.restitution = std::min(1.0, 1.2 * p.restitution); }},
+      {{"acceptance-inverted", "pairs refused that should collide and the other way round"},
+       [](P p, int) { p.faults.acceptance_inverted = true; }},
+      {{"fraction-truncated", "fractional candidate dropped"},
+       [](P p, int) { p.faults.fraction_truncated = true; }},
+      {{"bound-halved", "bound on relative speeds half of what it must be"},
+       [](P p, int) { p.faults.bound = 0.5; }},
+      {{"momentum-leak", "second partner's kick a millionth short"},
+       [](P p, int) { p.faults.momentum_leak = 1e-6; }},
+      {{"impact-parameter-central", "impact parameters 10% too small"},
+       [](P p, int) { p.faults.impact = 0.9; }},
+      {{"offset-dropped", "no displacement after collisions"}, [](P p, int) { p.offset = {}; }},
+      {{"offset-doubled", "displacement after collisions twice as long"},
+       [](P p, int) { p.offset.consistent *= 2; }},
+      {{"contact-factor-dropped", "contact factor left out"}, [](P p, int) { p.factor.formula = nullptr; }},
+      {{"contact-factor-of-other-dimension", "contact factor of spheres for disks and of disks for spheres"},
+       [](P p, int dimension) { p.factor.formula = contact_formula(dimension == 2 ? 3 : 2); }},
+      {{"density-from-cell-count", "contact factor from the cell's own count"},
+       [](P p, int) { p.factor.smoothed = false; }},
+  };
+  return all;
+}
+
+}  // namespace sandglass::dsmc

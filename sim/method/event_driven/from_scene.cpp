@@ -1,0 +1,79 @@
+#include "sim/method/event_driven/from_scene.hpp"
+
+#include "sim/method/event_driven/obstacle_agent.hpp"
+#include "sim/method/event_driven/plane_agent.hpp"
+#include "sim/method/event_driven/wall_agent.hpp"
+#include "sim/method/from_scene.hpp"
+
+#include <algorithm>
+
+namespace sandglass::event_driven {
+
+namespace {
+
+WallRule rule_of(const Scene& scene, const SurfaceRule& surface, const Faults& faults) {
+  WallRule rule = wall_rule_of(scene, surface);
+  rule.surface.normal.value = std::min(1.0, faults.wall_restitution * rule.surface.normal.value);
+  return rule;
+}
+
+template <int D>
+std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const Parameters<D>& parameters) {
+  const double edge = wall.high ? scene.domain.size[static_cast<std::size_t>(wall.axis)] : 0;
+  const WallPlace<D> place{wall.axis,
+                           wall.high,
+                           edge,
+                           vector_of<D>(wall.velocity),
+                           wall.amplitude,
+                           wall.frequency,
+                           parameters.largest_diameter() / 2};
+  return std::make_unique<WallAgent<D>>(place, rule_of(scene, wall.surface, parameters.faults),
+                                        parameters.gravity);
+}
+
+}  // namespace
+
+template <int D>
+Parameters<D> parameters_of(const Scene& scene) {
+  Parameters<D> parameters;
+  parameters.geometry = {vector_of<D>(scene.domain.size), periodic_axes<D>(scene)};
+  parameters.species.clear();
+  parameters.surfaces.clear();
+  for (const Species& species : scene.species) {
+    const double radius = species.diameter / 2;
+    parameters.species.push_back(
+        {species.diameter, species.mass, inertia_factor(species, D) * species.mass * radius * radius});
+    for (const Species& other : scene.species)
+      parameters.surfaces.push_back(mix(surface_of(scene, species), surface_of(scene, other)));
+  }
+  parameters.rough = is_rough(scene);
+  parameters.contact_time = guard_of(scene.method).contact_time;
+  parameters.gravity = vector_of<D>(scene.gravity);
+  parameters.keep_ids = scene.output.ids || scene.output.event_trace.has_value();
+  parameters.particles = particle_count(scene);
+  return parameters;
+}
+
+template <int D>
+Agents<D> agents_of(const Scene& scene, const Parameters<D>& parameters, std::vector<Plane>* planes) {
+  Agents<D> agents;
+  for (int axis = 0; axis < D; ++axis)
+    if (!parameters.geometry.periodic[static_cast<std::size_t>(axis)])
+      for (const bool high : {false, true})
+        agents.push_back(make_wall<D>(scene, wall_of(scene, axis, high), parameters));
+  for (const Obstacle& obstacle : scene.obstacles)
+    agents.push_back(std::make_unique<ObstacleAgent<D>>(
+        vector_of<D>(obstacle.centre), obstacle.radius, rule_of(scene, obstacle.surface, parameters.faults),
+        parameters.gravity, parameters.largest_diameter() / 2));
+  if (planes != nullptr)
+    for (Plane& plane : *planes)
+      agents.push_back(std::make_unique<PlaneAgent<D>>(&plane, parameters.gravity));
+  return agents;
+}
+
+template Parameters<2> parameters_of(const Scene&);
+template Parameters<3> parameters_of(const Scene&);
+template Agents<2> agents_of(const Scene&, const Parameters<2>&, std::vector<Plane>*);
+template Agents<3> agents_of(const Scene&, const Parameters<3>&, std::vector<Plane>*);
+
+}  // namespace sandglass::event_driven

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "sim/method/event_driven/event_driven.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace sandglass::event_driven {
+
+/// Particles, forces and guards of the scene.
+template <int D>
+Parameters<D> parameters_of(const Scene& scene);
+
+/// Walls, obstacles and the planes that count, in this order. `planes` must outlive them.
+template <int D>
+Agents<D> agents_of(const Scene& scene, const Parameters<D>& parameters, std::vector<Plane>* planes);
+
+extern template Parameters<2> parameters_of(const Scene&);
+extern template Parameters<3> parameters_of(const Scene&);
+extern template Agents<2> agents_of(const Scene&, const Parameters<2>&, std::vector<Plane>*);
+extern template Agents<3> agents_of(const Scene&, const Parameters<3>&, std::vector<Plane>*);
+
+}  // namespace sandglass::event_driven

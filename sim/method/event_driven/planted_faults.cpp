@@ -1,0 +1,59 @@
+#include "sim/method/event_driven/planted_faults.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace sandglass::event_driven {
+
+namespace {
+/// Factor on the normal restitution of every pair.
+template <class P>
+void scale_restitution(P& parameters, double factor) {
+  for (Surface& surface : parameters.surfaces)
+    surface.normal.value = std::min(1.0, factor * surface.normal.value);
+}
+}  // namespace
+
+const std::vector<FaultEntry<FaultChange>>& planted_faults() {
+  static const std::vector<FaultEntry<FaultChange>> all = {
+      {{"restitution-plus-2-percent", "restitution 2% too large, at most 1"},
+       [](auto& p) { scale_restitution(p, 1.02); }},
+      {{"restitution-minus-2-percent", "restitution 2% too small"},
+       [](auto& p) { scale_restitution(p, 0.98); }},
+      {{"restitution-forgotten", "every collision elastic"},
+       [](auto& p) {
+         for (Surface& surface : p.surfaces) surface.normal.value = 1;
+       }},
+      {{"restitution-plus-20-percent", "restitution 20% too large, at most 1"},
+       [](auto& p) { scale_restitution(p, 1.2); }},
+      {{"momentum-leak", "second partner's kick a millionth short"},
+       [](auto& p) { p.faults.momentum_leak = 1e-6; }},
+      {{"diameter-plus-2-percent", "hard particles 2% too large"},
+       [](auto& p) {
+         for (SpeciesTraits& kind : p.species) kind.diameter *= 1.02;
+       }},
+      {{"stale-partners", "a predicted contact is carried out whatever its partner did meanwhile"},
+       [](auto& p) { p.faults.stale_partner = true; }},
+      {{"blind-crossings", "who enters a cell does not see who is ahead"},
+       [](auto& p) { p.faults.blind_crossing = true; }},
+      {{"guard-dropped", "no collapse guard"},
+       [](auto& p) {
+         p.faults.guard_dropped = true;
+         for (Surface& surface : p.surfaces) surface.normal.reference_speed = 0;
+       }},
+      {{"gravity-plus-1-percent", "gravity 1% too strong"}, [](auto& p) { p.gravity *= 1.01; }},
+      {{"wall-restitution-plus-2-percent", "restitution of walls and obstacles 2% too large, at most 1"},
+       [](auto& p) { p.faults.wall_restitution = 1.02; }},
+      {{"friction-dropped", "rough contacts always stick"},
+       [](auto& p) {
+         for (Surface& surface : p.surfaces) surface.friction = std::numeric_limits<double>::infinity();
+       }},
+      {{"tangential-restitution-flipped", "tangential restitution with the wrong sign"},
+       [](auto& p) {
+         for (Surface& surface : p.surfaces) surface.tangential = -surface.tangential;
+       }},
+  };
+  return all;
+}
+
+}  // namespace sandglass::event_driven

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace sandglass {
+
+enum class Positions { random, lattice, random_without_overlap };
+
+struct ShearWave {
+  double amplitude = 0;  ///< velocity along axis 0, as a sine of the position along axis 1
+  int periods = 1;       ///< whole periods over the domain
+  bool operator==(const ShearWave&) const = default;
+};
+
+/// The initial state, unless `Scene::given` lists the particles: then all of this keeps its defaults, unused.
+struct Initial {
+  Positions positions = Positions::random;
+  double temperature = 1;        ///< granular temperature m<C^2>/D
+  std::vector<double> velocity;  ///< stream velocity; empty: at rest
+  bool exact = true;             ///< remove the sampled mean velocity and scale to exactly `temperature`
+  std::optional<ShearWave> shear_wave;
+  double equilibrate_collisions = 0;  ///< elastic collisions per particle before time zero
+  double spin_temperature = 0;        ///< rotational granular temperature I<w^2>/(degrees of freedom)
+  bool operator==(const Initial&) const = default;
+};
+
+/// A particle that the scene places itself.
+struct GivenParticle {
+  std::vector<double> position;
+  std::vector<double> velocity;
+  std::vector<double> spin;  ///< angular velocity: one component in 2D, three in 3D; empty: none
+  std::size_t species = 0;   ///< index into Scene::species
+  bool operator==(const GivenParticle&) const = default;
+};
+
+}  // namespace sandglass

@@ -1,0 +1,52 @@
+#include "sim/scene/rules.hpp"
+#include "sim/scene/text/bounds.hpp"
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+namespace {
+void check_shear_wave(const Scene& scene, Diagnostics& diagnostics) {
+  const std::string path = "initial.shear-wave";
+  check_bounds(diagnostics, path + ".amplitude", scene.initial.shear_wave->amplitude, finite());
+  check_bounds(diagnostics, path + ".periods", scene.initial.shear_wave->periods, between(1, 1000));
+  if (!diagnostics.clean(path) || !diagnostics.clean("domain.sides")) return;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (scene.domain.sides[axis][0] != Side::periodic)
+      return diagnostics.report(path, shown(path) + " needs a domain that is periodic along x and y");
+}
+}  // namespace
+
+void check_initial(const Scene& scene, Diagnostics& diagnostics) {
+  const Initial& initial = scene.initial;
+  check_bounds(diagnostics, "initial.temperature", initial.temperature, positive());
+  check_bounds(diagnostics, "initial.spin-temperature", initial.spin_temperature, at_least(0));
+  check_bounds(diagnostics, "initial.equilibrate-collisions-per-particle", initial.equilibrate_collisions,
+               at_least(0));
+  if (!initial.velocity.empty())
+    check_length(diagnostics, "initial.velocity", initial.velocity.size(), scene.domain.dimension);
+  for (std::size_t axis = 0; axis < initial.velocity.size(); ++axis)
+    check_bounds(diagnostics, item_path("initial.velocity", axis), initial.velocity[axis], finite());
+  if (initial.shear_wave) check_shear_wave(scene, diagnostics);
+}
+
+/// Random insertion jams at an area fraction of 0.547 and a volume fraction of 0.38 (random sequential
+/// addition); the bounds stay well below, where it still ends in short time.
+void check_overlap(const Scene& scene, Diagnostics& diagnostics) {
+  if (scene.initial.positions != Positions::random_without_overlap || scene.species.empty()) return;
+  const std::string path = "initial.positions";
+  const double highest = scene.domain.dimension == 2 ? 0.5 : 0.3;
+  const double value = fraction(scene);
+  if (value > highest)
+    diagnostics.report(
+        path, fmt::format("random insertion without overlap reaches a fraction of {} at most; this scene "
+                          "has {:.4g}: use positions = \"lattice\"",
+                          highest, value));
+  if (scene.method.weight != 1)
+    diagnostics.report(
+        path,
+        "\"random-without-overlap\" needs method.weight = 1: a simulated particle that stands for "
+        "many has no size to overlap with");
+}
+
+}  // namespace sandglass

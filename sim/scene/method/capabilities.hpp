@@ -1,0 +1,39 @@
+#pragma once
+
+#include "sim/scene/scene.hpp"
+
+#include <vector>
+
+namespace sandglass {
+
+/// What a family of methods can do. The rest of the program asks for one of these, never for a family's name.
+struct Capabilities {
+  bool particles = true;   ///< holds particles in a box
+  bool collisions = true;  ///< of particles with each other
+  bool contacts = false;   ///< particles have a surface: none may overlap, and walls touch it, not the centre
+  bool weights = false;    ///< a simulated particle may stand for more or fewer real ones
+  bool species = false;    ///< more than one
+  bool spins = false;      ///< rough contacts
+  bool walls = true;       ///< sides that are not periodic, with the rules below
+  std::vector<SurfaceKind> wall_rules;
+  bool obstacles = false;
+  bool gravity = true;
+  bool event_trace = false;
+  bool varying_number = false;  ///< particles may enter and leave
+  bool restartable = true;
+  bool ranks = false;  ///< runs on more than one
+};
+
+/// Of the scene's family.
+const Capabilities& capabilities(const Scene& scene);
+
+// What a scene chose, whichever family offers the choice.
+
+/// Cells along each axis; empty where the method chooses them.
+std::vector<double> cells_along(const Scene& scene);
+/// Collisions move the partners.
+bool has_offset(const Scene& scene);
+/// The collision rate goes with the contact value of the local density.
+bool has_contact_factor(const Scene& scene);
+
+}  // namespace sandglass

@@ -1,0 +1,55 @@
+#include "sim/scene/method/capabilities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+// A choice is looked up by its name in the family's options: a new family that offers it is found without a word here.
+
+namespace sandglass {
+
+namespace {
+template <class Value, class Get>
+Value choice(const Method& method, Value absent, Get get) {
+  return std::visit(
+      [&](const auto& options) {
+        if constexpr (std::is_invocable_v<Get, decltype(options)>)
+          return Value(get(options));
+        else
+          return absent;
+      },
+      method.options);
+}
+}  // namespace
+
+Guard guard_of(const Method& method) {
+  const auto get = [](const auto& options) -> decltype(Guard(options.guard)) { return options.guard; };
+  return choice(method, Guard{}, get);
+}
+
+bool has_offset(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.offset != Offset::none) {
+    return options.offset != Offset::none;
+  };
+  return choice(scene.method, false, get);
+}
+
+bool has_contact_factor(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.contact_factor == ContactFactor::local) {
+    return options.contact_factor == ContactFactor::local;
+  };
+  return choice(scene.method, false, get);
+}
+
+std::vector<double> cells_along(const Scene& scene) {
+  const auto given = [](const auto& options) -> decltype(options.cells) { return options.cells; };
+  const auto size = [](const auto& options) -> decltype(options.cell_size) { return options.cell_size; };
+  const std::vector<std::uint64_t> cells = choice(scene.method, std::vector<std::uint64_t>{}, given);
+  const std::optional<double> edge = choice(scene.method, std::optional<double>{}, size);
+  std::vector<double> numbers(cells.begin(), cells.end());
+  if (numbers.empty() && edge)
+    for (const double length : scene.domain.size)
+      numbers.push_back(std::max(1.0, std::round(length / *edge)));
+  return numbers;
+}
+
+}  // namespace sandglass

@@ -1,0 +1,129 @@
+#include "sim/scene/method/dsmc.hpp"
+
+#include "sim/scene/method/family.hpp"
+#include "sim/scene/text/bounds.hpp"
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+const Words<ContactFactor>& contact_factor_words() {
+  static const Words<ContactFactor> words = {{"none", ContactFactor::none}, {"local", ContactFactor::local}};
+  return words;
+}
+
+const Words<DensityEstimate>& density_words() {
+  static const Words<DensityEstimate> words = {{"smoothed", DensityEstimate::smoothed},
+                                               {"cell", DensityEstimate::cell}};
+  return words;
+}
+
+const Words<Offset>& offset_words() {
+  static const Words<Offset> words = {{"none", Offset::none},
+                                      {"consistent", Offset::consistent},
+                                      {"corrected", Offset::corrected},
+                                      {"random", Offset::random}};
+  return words;
+}
+
+namespace {
+/// Length of the random offset, in diameters, of a scene that asks for one without saying how long.
+constexpr double default_random_offset = 0.5;
+constexpr double least_corrected =
+    0.1;  // the corrected offset is d (1 + r) / (2 r): 5.5 d here, no bound below
+
+void read_random_offset(Table& table, DsmcOptions& dsmc) {
+  if (dsmc.offset == Offset::random) {
+    dsmc.random_offset = default_random_offset;
+    table.read("random-offset", dsmc.random_offset);
+  } else if (!table.clean("offset")) {
+    table.skip("random-offset");
+  } else {
+    table.refuse("random-offset", "is used with offset = \"random\" only; the offset here is \"" +
+                                      word_of(offset_words(), dsmc.offset) + '"');
+  }
+}
+
+void read(Table& table, MethodOptions& options) {
+  DsmcOptions& dsmc = std::get<DsmcOptions>(options);
+  table.read_word("contact-factor", "contact factor", dsmc.contact_factor, contact_factor_words());
+  table.read_word("density", "density estimate", dsmc.density, density_words());
+  table.read_word("offset", "offset", dsmc.offset, offset_words());
+  read_random_offset(table, dsmc);
+  table.read("cells", dsmc.cells);
+  table.read("cell-size", dsmc.cell_size);
+  if (table.has("cells")) table.refuse("cell-size", "is given beside 'cells'; give one of them");
+}
+
+void write(Lines& lines, const MethodOptions& options) {
+  const DsmcOptions& dsmc = std::get<DsmcOptions>(options);
+  lines.add("contact-factor", word_of(contact_factor_words(), dsmc.contact_factor));
+  lines.add("density", word_of(density_words(), dsmc.density));
+  lines.add("offset", word_of(offset_words(), dsmc.offset));
+  if (dsmc.offset == Offset::random) lines.add("random-offset", dsmc.random_offset);
+  if (!dsmc.cells.empty()) lines.add("cells", dsmc.cells);
+  lines.add("cell-size", dsmc.cell_size);
+}
+
+void check_corrected_offset(const Scene& scene, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < scene.species.size(); ++i) {
+    const double restitution = scene.species[i].restitution;
+    if (!(restitution >= 0 && restitution < least_corrected)) continue;
+    const std::string path = item_path("species", i) + ".restitution";
+    diagnostics.report(
+        path, fmt::format("{} is {}; with offset = \"corrected\" at least {} is allowed, since the offset "
+                          "d (1 + r) / (2 r) has no bound as r goes to 0",
+                          shown(path), restitution, least_corrected));
+  }
+}
+
+void check(const Scene& scene, Diagnostics& diagnostics) {
+  const DsmcOptions& dsmc = std::get<DsmcOptions>(scene.method.options);
+  if (dsmc.density != DensityEstimate::smoothed && dsmc.contact_factor == ContactFactor::none)
+    diagnostics.report("method.density", "'method.density' is used with contact-factor = \"local\" only");
+  check_bounds(diagnostics, "method.random-offset", dsmc.random_offset, between(0, 10));
+  if (dsmc.random_offset != 0 && dsmc.offset != Offset::random)
+    diagnostics.report("method.random-offset",
+                       "'method.random-offset' is used with offset = \"random\" only");
+  if (dsmc.offset == Offset::corrected) check_corrected_offset(scene, diagnostics);
+  if (dsmc.cell_size) check_bounds(diagnostics, "method.cell-size", *dsmc.cell_size, positive());
+  check_cells(dsmc, scene.domain, diagnostics);
+}
+
+Preset preset(const char* name, const char* summary, ContactFactor factor, Offset offset) {
+  DsmcOptions options;
+  options.contact_factor = factor;
+  options.offset = offset;
+  return {{name, summary}, options};
+}
+
+MethodFamily make_family() {
+  MethodFamily family;
+  family.name = "dsmc";
+  family.can.weights = true;
+  family.presets = {
+      preset("dsmc", "dilute gas: point-like collisions inside a cell", ContactFactor::none, Offset::none),
+      preset("dsmc-enskog", "collision rate raised by the contact value of the local density, no offset",
+             ContactFactor::local, Offset::none),
+      preset("cba",
+             "consistent Boltzmann algorithm: contact value, and each partner displaced by one diameter",
+             ContactFactor::local, Offset::consistent),
+      preset("cba-corrected",
+             "cba with the displacement that gives the hard-core virial for restitution below one",
+             ContactFactor::local, Offset::corrected),
+      preset("cuba", "cba with a further random displacement of zero mean that tunes transport",
+             ContactFactor::local, Offset::random)};
+  family.keys = {"contact-factor", "density", "offset", "random-offset", "cells", "cell-size"};
+  family.read = read;
+  family.write = write;
+  family.check = check;
+  return family;
+}
+}  // namespace
+
+const MethodFamily& dsmc_family() {
+  static const MethodFamily family = make_family();
+  return family;
+}
+
+}  // namespace sandglass

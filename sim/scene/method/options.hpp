@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+// What each method family lets a scene choose, as plain values: one struct a family, so that a key of another family
+// cannot even be stored.
+
+namespace sandglass {
+
+/// local: Henderson (2D) or Carnahan-Starling (3D) contact value of the local density.
+enum class ContactFactor { none, local };
+enum class DensityEstimate { smoothed, cell };
+enum class Offset { none, consistent, corrected, random };
+
+/// Direct simulation Monte Carlo and its dense-gas variants.
+struct DsmcOptions {
+  ContactFactor contact_factor = ContactFactor::none;
+  DensityEstimate density = DensityEstimate::smoothed;
+  Offset offset = Offset::none;
+  double random_offset = 0;          ///< cuba: length of the extra zero-mean offset, in diameters
+  std::vector<std::uint64_t> cells;  ///< cells per axis; empty: chosen from cell_size
+  std::optional<double> cell_size;   ///< wanted edge; the nearest whole number of cells is taken
+  bool operator==(const DsmcOptions&) const = default;
+};
+
+/// What keeps a run of exact collisions from infinitely many of them in finite time (inelastic collapse).
+/// contact_time: a collision is elastic when the previous one of a partner was less than `contact_time` ago
+/// (TC model; Luding & McNamara 1998). velocity_dependent: r(v) = 1 - (1 - r) (v/v0)^(3/4) below
+/// v0 = `reference_speed`, v the normal relative speed (Bizon et al. 1998).
+enum class CollapseGuard { none, contact_time, velocity_dependent };
+
+/// A collapse guard and its number; the other number is 0.
+struct Guard {
+  CollapseGuard kind = CollapseGuard::none;
+  double contact_time = 0;
+  double reference_speed = 0;
+  bool operator==(const Guard&) const = default;
+};
+
+/// Exact hard disks and spheres.
+struct EventDrivenOptions {
+  Guard guard;
+  bool operator==(const EventDrivenOptions&) const = default;
+};
+
+/// An ideal-gas stream through a plane.
+struct ReservoirOptions {
+  bool operator==(const ReservoirOptions&) const = default;
+};
+
+/// In the order of method_families().
+using MethodOptions = std::variant<DsmcOptions, EventDrivenOptions, ReservoirOptions>;
+
+}  // namespace sandglass

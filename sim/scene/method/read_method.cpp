@@ -1,0 +1,64 @@
+#include "sim/scene/method/family.hpp"
+#include "sim/scene/read_sections.hpp"
+
+#include <algorithm>
+
+namespace sandglass {
+
+namespace {
+Words<std::string> preset_words() {
+  Words<std::string> words;
+  for (const std::string& name : preset_names()) words.emplace_back(name, name);
+  return words;
+}
+
+bool holds(const std::vector<std::string>& keys, const std::string& key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+std::string reason_against(const MethodFamily& family, const std::string& key, const std::string& preset) {
+  for (const RefusedKeys& refused : family.refused)
+    if (holds(refused.keys, key)) return refused.reason;
+  std::vector<std::string> takers;
+  for (const MethodFamily* other : method_families())
+    if (holds(other->keys, key))
+      for (const Preset& taker : other->presets) takers.push_back(taker.name);
+  return "is for the method " + list_words(takers) + " only, not for '" + preset + "'; remove it";
+}
+
+/// Where the preset itself is wrong nobody can tell whose keys are meant.
+void refuse_keys_of_others(Table& table, const Method& method) {
+  const MethodFamily& family = family_of(method);
+  for (const MethodFamily* other : method_families())
+    for (const std::string& key : other->keys) {
+      if (holds(family.keys, key)) continue;
+      if (table.clean("preset"))
+        table.refuse(key, reason_against(family, key, method.preset));
+      else
+        table.skip(key);
+    }
+}
+
+void read_time_step(Table& table, TimeStep& time_step) {
+  if (!table.has("time-step"))
+    table.report_missing("time-step", "give a time, or { collisions-per-particle = 0.1 }");
+  if (!table.is("time-step", Node::Kind::table)) return table.read("time-step", time_step.fixed);
+  Table inner = *table.table("time-step");
+  inner.require("collisions-per-particle", time_step.collisions,
+                "collisions of a particle in one step, for example 0.1");
+  inner.finish();
+}
+}  // namespace
+
+void read_method(Table& table, Method& method) {
+  std::string preset = method.preset;
+  table.read_word("preset", "preset", preset, preset_words());
+  choose(method, preset);
+  family_of(method).read(table, method.options);
+  refuse_keys_of_others(table, method);
+  read_time_step(table, method.time_step);
+  table.read("weight", method.weight);
+  table.finish();
+}
+
+}  // namespace sandglass

@@ -1,0 +1,45 @@
+#include "sim/base/spelling.hpp"
+#include "sim/scene/method/family.hpp"
+#include "sim/scene/rules.hpp"
+#include "sim/scene/text/bounds.hpp"
+
+#include <algorithm>
+
+namespace sandglass {
+
+namespace {
+void check_time_step(const TimeStep& step, Diagnostics& diagnostics) {
+  const std::string path = "method.time-step";
+  if (step.fixed.has_value() == step.collisions.has_value() && diagnostics.clean(path))
+    diagnostics.report(path,
+                       "'method.time-step' needs a time or { collisions-per-particle }, one of the two");
+  if (step.fixed) check_bounds(diagnostics, path, *step.fixed, positive());
+  if (step.collisions)
+    check_bounds(diagnostics, path + ".collisions-per-particle", *step.collisions, positive());
+}
+
+/// A scene made in code may name one family's preset beside another's options.
+void check_preset(const Method& method, Diagnostics& diagnostics) {
+  const std::vector<Preset>& own = family_of(method).presets;
+  const auto match = [&method](const Preset& preset) { return preset.name == method.preset; };
+  if (std::any_of(own.begin(), own.end(), match)) return;
+  const std::vector<std::string> names = preset_names();
+  const bool known = std::find(names.begin(), names.end(), method.preset) != names.end();
+  diagnostics.report("method.preset", known ? "'method.preset' is '" + method.preset +
+                                                  "', but the options are those of the family '" +
+                                                  family_of(method).name + "'; use choose()"
+                                            : unknown_word("preset", method.preset, names));
+}
+}  // namespace
+
+void check_method(const Scene& scene, Diagnostics& diagnostics) {
+  check_preset(scene.method, diagnostics);
+  check_time_step(scene.method.time_step, diagnostics);
+  check_bounds(diagnostics, "method.weight", scene.method.weight, positive());
+}
+
+void check_family(const Scene& scene, Diagnostics& diagnostics) {
+  family_of(scene.method).check(scene, diagnostics);
+}
+
+}  // namespace sandglass

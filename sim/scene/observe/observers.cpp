@@ -1,0 +1,78 @@
+#include "sim/scene/observe/observers.hpp"
+
+#include <algorithm>
+
+namespace sandglass {
+
+namespace {
+template <class Entry>
+std::vector<std::string> names(const std::vector<Entry>& entries) {
+  std::vector<std::string> list;
+  for (const Entry& entry : entries) list.push_back(entry.name);
+  return list;
+}
+
+template <class Entry>
+std::vector<NamedSummary> summaries(const std::vector<Entry>& entries) {
+  return {entries.begin(), entries.end()};
+}
+
+template <class Entry>
+const Entry* find(const std::vector<Entry>& entries, const std::string& name) {
+  const auto match = [&name](const Entry& entry) { return entry.name == name; };
+  const auto found = std::find_if(entries.begin(), entries.end(), match);
+  return found == entries.end() ? nullptr : &*found;
+}
+}  // namespace
+
+const std::vector<ObserverKind>& observer_kinds() {
+  static const std::vector<ObserverKind> list = {
+      {{"energy", "kinetic energy of all real particles"}, {}},
+      {{"temperature", "granular temperature along each axis and their mean"}, {}},
+      {{"momentum", "total momentum, and the sum of the magnitudes of all momenta"}, {}},
+      {{"moments", "even velocity moments to order 8, relative to the second"}, {}},
+      {{"velocity-histogram", "histogram of one velocity component over all particles"},
+       {"axis", "range", "bins"}},
+      {{"collisions", "collisions and tried pairs since time zero"}, {}},
+      {{"pressure", "kinetic and collisional pressure"}, {}},
+      {{"crossings", "normal velocities of the particles that cross a plane, and how many each way"},
+       {"axis", "position", "range", "bins"},
+       false,
+       false,
+       false,
+       true},
+      {{"fields", "number density, mean velocity and granular temperature on a grid of bins"}, {"grid"}},
+      {{"shear-mode", "amplitude of the velocity along x as a sine of y"}, {}},
+      {{"rotational-energy", "rotational energy of all particles, and their rotational granular temperature"},
+       {},
+       false,
+       true},
+      {{"impact-parameter",
+        "histogram of the impact parameter of the collisions, in units of the contact distance"},
+       {"bins"},
+       true},
+      {{"overlap", "deepest overlap met so far at a collision, in diameters"}, {}, true},
+      {{pair_correlation, "pair correlation g(r) over the distance of two particles"},
+       {"range", "bins"},
+       false,
+       false,
+       true},
+      {{"structure-factor", "structure factor S(k) over the magnitude of the wave vector"},
+       {"grid", "bins"},
+       false,
+       false,
+       true}};
+  return list;
+}
+
+std::vector<std::string> observer_names() { return names(observer_kinds()); }
+std::vector<NamedSummary> observer_summaries() { return summaries(observer_kinds()); }
+
+const ObserverKind* find_observer(const std::string& name) { return find(observer_kinds(), name); }
+
+bool observer_uses(const std::string& what, const std::string& key) {
+  const ObserverKind* kind = find_observer(what);
+  return kind && std::count(kind->keys.begin(), kind->keys.end(), key) > 0;
+}
+
+}  // namespace sandglass

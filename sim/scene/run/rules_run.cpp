@@ -1,0 +1,54 @@
+#include "sim/scene/rules.hpp"
+#include "sim/scene/text/bounds.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+namespace {
+constexpr std::uint64_t largest_seed = std::numeric_limits<std::int64_t>::max();  // what TOML can hold
+constexpr double most_steps = 9e15;  // below 2^53: a double counts every one of them
+
+void check_cadence(Diagnostics& diagnostics, const std::string& path, const Cadence& cadence) {
+  if (cadence.unit == Cadence::Unit::time)
+    check_bounds(diagnostics, path + ".time", cadence.every, positive());
+  if (cadence.unit == Cadence::Unit::collisions)
+    check_bounds(diagnostics, path + ".collisions-per-particle", cadence.every, positive());
+  if (cadence.unit != Cadence::Unit::steps) return;
+  const std::string steps = path + ".steps";
+  const bool in_bounds = check_bounds(diagnostics, steps, cadence.every, between(1, most_steps));
+  if (in_bounds && cadence.every != std::floor(cadence.every))
+    diagnostics.report(steps,
+                       fmt::format("{} is {}; it must be a whole number", shown(steps), cadence.every));
+}
+
+void check_duration(Diagnostics& diagnostics, const Duration& duration) {
+  const std::string path = "run.duration";
+  const int given = duration.time.has_value() + duration.steps.has_value() + duration.collisions.has_value();
+  if (given != 1 && diagnostics.clean(path))
+    diagnostics.report(path,
+                       "'run.duration' needs exactly one of 'time', 'steps' or 'collisions-per-particle'");
+  if (duration.time) check_bounds(diagnostics, path + ".time", *duration.time, positive());
+  if (duration.steps)
+    check_bounds(diagnostics, path + ".steps", static_cast<double>(*duration.steps), between(1, most_steps));
+  if (duration.collisions)
+    check_bounds(diagnostics, path + ".collisions-per-particle", *duration.collisions, positive());
+}
+}  // namespace
+
+void check_run(const Scene& scene, Diagnostics& diagnostics) {
+  if (scene.run.seed > largest_seed)
+    diagnostics.report("run.seed",
+                       fmt::format("'run.seed' is {}; at most {} is allowed", scene.run.seed, largest_seed));
+  check_bounds(diagnostics, "run.replicas", static_cast<double>(scene.run.replicas), between(1, 1e6));
+  check_duration(diagnostics, scene.run.duration);
+  for (std::size_t i = 0; i < scene.observe.size(); ++i)
+    check_cadence(diagnostics, item_path("observe", i) + ".every", scene.observe[i].cadence);
+  if (scene.output.trajectory) check_cadence(diagnostics, "output.trajectory", *scene.output.trajectory);
+  if (scene.output.checkpoint) check_cadence(diagnostics, "output.checkpoint", *scene.output.checkpoint);
+}
+
+}  // namespace sandglass

@@ -1,0 +1,80 @@
+#include "sim/scene/text/diagnostics.hpp"
+
+#include <algorithm>
+
+namespace sandglass {
+
+namespace {
+/// True when `path` is `holder` or a value inside it.
+bool inside(const std::string& path, const std::string& holder) {
+  if (path.compare(0, holder.size(), holder) != 0) return false;
+  return path.size() == holder.size() || path[holder.size()] == '.' || path[holder.size()] == '[';
+}
+}  // namespace
+
+Diagnostics::Diagnostics(std::string file_name, const Node& root) : file_name_(std::move(file_name)) {
+  remember(root, "");
+}
+
+void Diagnostics::remember(const Node& node, const std::string& path) {
+  places_[path] = node.place;
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const Node& item = node.items[i];
+    remember(item, node.kind == Node::Kind::table ? join_path(path, item.key) : item_path(path, i));
+  }
+}
+
+Place Diagnostics::find(std::string path) const {
+  while (true) {
+    if (const auto found = places_.find(path); found != places_.end()) return found->second;
+    if (path.empty()) return {};
+    const std::size_t end = path.find_last_of(".[");
+    path.resize(end == std::string::npos ? 0 : end);
+  }
+}
+
+void Diagnostics::report(const std::string& path, const std::string& message) {
+  report_at(find(path), path, message);
+}
+
+void Diagnostics::report_at(Place place, const std::string& path, const std::string& message) {
+  faults_.push_back({place, path, message});
+}
+
+bool Diagnostics::clean(const std::string& path) const {
+  return std::none_of(faults_.begin(), faults_.end(), [&path](const Fault& fault) {
+    return inside(fault.path, path) || inside(path, fault.path);
+  });
+}
+
+void Diagnostics::raise() const {
+  if (faults_.empty()) return;
+  std::vector<Fault> sorted = faults_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Fault& a, const Fault& b) { return a.place < b.place; });
+  std::vector<Diagnostic> diagnostics;
+  for (const Fault& fault : sorted)
+    diagnostics.push_back({file_name_, fault.place.line, fault.place.column, fault.message});
+  throw InputError(std::move(diagnostics));
+}
+
+std::string join_path(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + '.' + key;
+}
+
+std::string item_path(const std::string& path, std::size_t index) {
+  return path + '[' + std::to_string(index) + ']';
+}
+
+std::string shown(const std::string& path) {
+  std::string text = "'";
+  bool number = false;
+  for (const char character : path) {
+    number = number || character == '[';
+    if (!number) text += character;
+    number = number && character != ']';
+  }
+  return text + "'";
+}
+
+}  // namespace sandglass
