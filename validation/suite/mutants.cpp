@@ -48,7 +48,8 @@ std::vector<UntestedCheck> untested_checks(const Case& subject) {
   for (const std::string& tier : tier_names())
     for (const Task& task : expand(subject, tier, ""))
       for (const CheckUse* use : task.checks)
-        if (!use->known_limit(task.point, task.variant)) wanted.insert({use->check, method_family(task.scene)});
+        if (!use->known_limit(task.point, task.variant))
+          wanted.insert({use->check, method_family(task.scene)});
   for (const Mutant& mutant : subject.mutants)
     wanted.erase({mutant.check, method_family(scene_of(subject, "", mutant.variant, mutant.point, {}))});
   return {wanted.begin(), wanted.end()};
