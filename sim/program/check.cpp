@@ -41,13 +41,14 @@ int check(const Options& options) {
     const Judgement judgement = judge(evidence, {}, false);
     all_hold = all_hold && !blocks(judgement.verdict);
     rows.push_back({evidence.check, to_string(judgement.verdict), fmt::format("{:.6g}", evidence.value),
-                    fmt::format("{:.2g}", evidence.standard_error), fmt::format("{:.6g}", evidence.expected),
+                    fmt::format("{:.2g}", evidence.standard_error), expectation_text(evidence),
                     fmt::format("{:.2g}", judgement.budget), evidence.units});
     json.push_back({{"check", evidence.check},
                     {"verdict", to_string(judgement.verdict)},
                     {"reason", judgement.reason},
                     {"value", evidence.value},
                     {"stderr", evidence.standard_error},
+                    {"kind", to_string(evidence.kind)},
                     {"expected", evidence.expected},
                     {"budget", judgement.budget},
                     {"units", evidence.units}});

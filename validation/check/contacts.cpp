@@ -45,16 +45,6 @@ double uncorrelated_mean(const std::vector<double>& edges, int dimension) {
   return moments.mean();
 }
 
-/// One-sided: a value beyond `least` counts as `least`, so that only a shortfall can fail.
-Evidence at_least(const Mean& mean, double least, const std::string& what) {
-  Evidence evidence = from_mean(mean, least);
-  evidence.value = mean.value > least ? least : mean.value;
-  evidence.budget.reason = "only a shortfall counts";
-  evidence.summary = fmt::format("{} is {:.5g} +- {:.2g}, at least {:.5g} wanted", what, mean.value,
-                                 mean.standard_error, least);
-  return evidence;
-}
-
 Evidence more_grazing(const Subject& subject, const law::Arguments& numbers) {
   const BlockedHistogram histogram = blocked_histogram(subject, kImpact);
   const double even = uncorrelated_mean(histogram.edges, subject.dimension());
@@ -64,8 +54,7 @@ Evidence more_grazing(const Subject& subject, const law::Arguments& numbers) {
     for (std::size_t bin = 0; bin < counts.size(); ++bin) moments.add(histogram.edges, bin, counts[bin]);
     excess.push_back(moments.mean() - even);
   }
-  return at_least(mean_of_independent(excess), numbers.at("least"),
-                  "mean impact parameter above that of uncorrelated contacts");
+  return at_least(mean_of_independent(excess), numbers.at("least"));
 }
 
 /// Contacts of all replicas in the samples of the first or the last third of each.
@@ -90,9 +79,8 @@ Evidence drift(const Subject& subject, const law::Arguments& numbers) {
   Mean change;
   change.value = std::abs(late.mean() - early.mean());
   change.standard_error = std::sqrt(late.variance_of_mean() + early.variance_of_mean());
-  Evidence evidence =
-      at_least(change, numbers.at("least"), "drift of the mean impact parameter, last third over first,");
-  evidence.budget.reason += "; contacts taken as independent of each other";
+  Evidence evidence = at_least(change, numbers.at("least"));
+  evidence.budget.reason = "contacts taken as independent of each other";
   return evidence;
 }
 
@@ -101,8 +89,9 @@ Evidence overlap(const Subject& subject, const law::Arguments& numbers) {
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)
     for (double depth : subject.column(replica, "overlap", "")) keep_worst(evidence.value, depth);
   evidence.units = "diameters";
-  evidence.budget.systematic = numbers.at("deepest");
-  evidence.budget.reason = "rounding of positions";
+  evidence.kind = Expectation::at_most;
+  evidence.expected = numbers.at("deepest");
+  evidence.budget.reason = "the bound is what rounding of positions may leave";
   return evidence;
 }
 
@@ -127,7 +116,7 @@ std::vector<CheckInfo> contact_checks() {
            contacts_are_even,
            impact_parameter},
           {"impact-parameter-grazing",
-           "contacts are more grazing than uncorrelated ones; give a resolution of half of 'least'",
+           "mean of |b|/d above that of uncorrelated contacts: how much more grazing contacts are",
            "",
            {kImpact},
            false,
@@ -135,7 +124,7 @@ std::vector<CheckInfo> contact_checks() {
            has_contacts,
            more_grazing},
           {"impact-parameter-drift",
-           "the impact parameter drifts with time; give a resolution of half of 'least'",
+           "change of the mean of |b|/d, last third over first: the impact parameter drifts with time",
            "",
            {kImpact},
            false,

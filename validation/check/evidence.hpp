@@ -38,7 +38,15 @@ struct Figure {
   std::vector<Line> lines;
 };
 
-/// What a check found: numbers, never a verdict.
+/// What the expectation says of the value.
+enum class Expectation {
+  equal,     ///< the value is `expected`
+  at_least,  ///< the value is `expected` or more
+  at_most,   ///< the value is `expected` or less
+  between    ///< the value lies from `expected` to `upper`
+};
+
+/// What a check found: numbers, never a verdict. The value is what was measured, also where only one side counts.
 struct Evidence {
   std::string check;    ///< name in the registry of checks
   std::string summary;  ///< what was compared with what, one sentence
@@ -48,7 +56,9 @@ struct Evidence {
   double value = 0;
   double standard_error = 0;
   double degrees_of_freedom = 0;  ///< of the standard error (Student's t); 0 when it is known, not estimated
+  Expectation kind = Expectation::equal;
   double expected = 0;
+  double upper = 0;  ///< the upper end, with Expectation::between alone
   Budget budget;
   int comparisons = 1;  ///< independent comparisons behind the value (largest of k deviations, say)
   std::vector<Figure> figures;
@@ -63,5 +73,17 @@ inline Evidence from_mean(const Mean& mean, double expected) {
   evidence.expected = expected;
   return evidence;
 }
+
+/// An estimate of which only one side counts.
+inline Evidence at_least(const Mean& mean, double least) {
+  Evidence evidence = from_mean(mean, least);
+  evidence.kind = Expectation::at_least;
+  return evidence;
+}
+
+/// "equal", "at-least", "at-most", "between"
+std::string to_string(Expectation kind);
+/// What is expected, for a table: "0.5", "at least 0.5", "at most 1e-09", "0.5 to 2".
+std::string expectation_text(const Evidence& evidence);
 
 }  // namespace sandglass

@@ -68,6 +68,18 @@ TEST(Calibration, RightModelFailsAtTheDeclaredRate) {
       EXPECT_NEAR(failure_rate({rate}, MeanOfSamples{0, samples}), rate, binomial_allowance(rate)) << samples;
 }
 
+/// A truth that lies on the bound itself is the worst right model: it fails at the declared rate, and no more.
+TEST(Calibration, TruthOnItsBoundFailsAtTheDeclaredRate) {
+  for (const Expectation kind : {Expectation::at_least, Expectation::at_most}) {
+    const auto on_the_bound = [kind](std::mt19937_64& generator) {
+      Evidence evidence = MeanOfSamples{0, 8}(generator);
+      evidence.kind = kind;
+      return evidence;
+    };
+    EXPECT_NEAR(failure_rate({0.05}, on_the_bound), 0.05, binomial_allowance(0.05));
+  }
+}
+
 TEST(Calibration, ManyComparisonsShareOneRate) {
   for (int comparisons : {2, 6, 40})
     EXPECT_NEAR(failure_rate({0.02}, LargestOfMany{comparisons}), 0.02, binomial_allowance(0.02))

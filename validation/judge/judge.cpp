@@ -2,6 +2,7 @@
 
 #include "validation/judge/quantile.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,8 +15,8 @@ constexpr std::array<const char*, 5> names{"pass", "fail", "inconclusive", "expe
                                            "unexpected-pass"};
 
 bool all_finite(const Evidence& evidence) {
-  for (double number : {evidence.value, evidence.standard_error, evidence.expected, evidence.budget.reference,
-                        evidence.budget.systematic, evidence.budget.resolution})
+  for (double number : {evidence.value, evidence.standard_error, evidence.expected, evidence.upper,
+                        evidence.budget.reference, evidence.budget.systematic, evidence.budget.resolution})
     if (!std::isfinite(number)) return false;
   return true;
 }
@@ -29,11 +30,50 @@ double combined_degrees_of_freedom(const Evidence& evidence) {
   return evidence.degrees_of_freedom / (share * share);
 }
 
-/// Standard errors that one comparison may be off: the normal one, or Student's when the error is an
-/// estimate.
+/// Standard errors that one comparison may be off: the normal one, or Student's when the error is an estimate. Where one
+/// side alone can be wrong, all of the probability lies there.
 double coverage(const Evidence& evidence, const Confidence& confidence, double degrees_of_freedom) {
-  return two_sided_quantile(shared_probability(confidence.false_alarm, evidence.comparisons),
-                            degrees_of_freedom);
+  const bool one_sided = evidence.kind == Expectation::at_least || evidence.kind == Expectation::at_most;
+  const double each = shared_probability(confidence.false_alarm, evidence.comparisons);
+  return two_sided_quantile(one_sided ? 2 * each : each, degrees_of_freedom);
+}
+
+/// How far the value lies on the wrong side of its bound; negative on the right side.
+double beyond(const Evidence& evidence) {
+  const double below = evidence.expected - evidence.value;
+  switch (evidence.kind) {
+    case Expectation::at_least:
+      return below;
+    case Expectation::at_most:
+      return -below;
+    case Expectation::between:
+      return std::max(below, evidence.value - evidence.upper);
+    case Expectation::equal:
+      break;
+  }
+  return std::abs(below);
+}
+
+struct Finding {
+  Verdict verdict;
+  std::string reason;
+};
+
+Finding two_sided(double deviation, double budget) {
+  const bool inside = deviation <= budget;
+  return {inside ? Verdict::pass : Verdict::fail,
+          fmt::format("deviation {:.3g} {} budget {:.3g}", deviation, inside ? "within" : "exceeds", budget)};
+}
+
+/// The whole error bar must lie on one side of the bound, which the systematic part moves outwards.
+Finding one_sided(const Evidence& evidence, double error_bar) {
+  const double past = beyond(evidence) - evidence.budget.systematic;
+  const std::string bar = error_bar > 0 ? fmt::format(" +- {:.2g}", error_bar) : "";
+  const std::string what =
+      fmt::format("{:.6g}{}, {} wanted", evidence.value, bar, expectation_text(evidence));
+  if (past <= -error_bar) return {Verdict::pass, what};
+  if (past > error_bar) return {Verdict::fail, what};
+  return {Verdict::inconclusive, what + ": the error bar reaches across the bound"};
 }
 
 Verdict with_known_limit(Verdict verdict, bool known_limit) {
@@ -45,26 +85,25 @@ Verdict with_known_limit(Verdict verdict, bool known_limit) {
 }  // namespace
 
 Judgement judge(const Evidence& evidence, const Confidence& confidence, bool known_limit) {
-  const double deviation = std::abs(evidence.value - evidence.expected);
+  const double deviation = std::max(0.0, beyond(evidence));
   if (!all_finite(evidence))
-    return {Verdict::inconclusive, deviation, 0,
+    return {Verdict::inconclusive, std::abs(beyond(evidence)), 0,
             "the value, its error or its expectation is not a finite number"};
   const Budget& allowed = evidence.budget;
   const double width = coverage(evidence, confidence, evidence.degrees_of_freedom) * evidence.standard_error;
   const double z = coverage(evidence, confidence, combined_degrees_of_freedom(evidence));
-  const double budget = allowed.systematic + z * std::hypot(evidence.standard_error, allowed.reference);
+  const double error_bar = z * std::hypot(evidence.standard_error, allowed.reference);
+  const double budget = allowed.systematic + error_bar;
   if (allowed.resolution > 0 && width > allowed.resolution)
     return {Verdict::inconclusive, deviation, budget,
             fmt::format(
                 "the error bar {:.3g} (half width) is wider than the resolution {:.3g} that the check needs",
                 width, allowed.resolution),
             z};
-  const bool inside = deviation <= budget;
-  const Verdict verdict = with_known_limit(inside ? Verdict::pass : Verdict::fail, known_limit);
-  return {verdict, deviation, budget,
-          fmt::format("deviation {:.3g} {} budget {:.3g}{}", deviation, inside ? "within" : "exceeds", budget,
-                      known_limit ? ", where the source says that this method must miss" : ""),
-          z};
+  Finding found =
+      evidence.kind == Expectation::equal ? two_sided(deviation, budget) : one_sided(evidence, error_bar);
+  if (known_limit) found.reason += ", where the source says that this method must miss";
+  return {with_known_limit(found.verdict, known_limit), deviation, budget, found.reason, z};
 }
 
 std::string to_string(Verdict verdict) { return names.at(static_cast<std::size_t>(verdict)); }

@@ -16,7 +16,7 @@ struct Confidence {
 
 struct Judgement {
   Verdict verdict;
-  double deviation;     ///< |value - expected|
+  double deviation;     ///< |value - expected|; how far beyond its bound, where one side counts
   double budget;        ///< what it may be: systematic + z * sqrt(statistical^2 + reference^2)
   std::string reason;   ///< one sentence
   double coverage = 0;  ///< z: standard errors that the budget allows

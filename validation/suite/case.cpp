@@ -20,9 +20,26 @@ bool Selection::holds(const std::string& point, const std::string& variant) cons
   return chosen(points, point) && chosen(variants, variant);
 }
 
-bool CheckUse::is_known_limit(const std::string& point, const std::string& variant) const {
-  return std::any_of(limits.begin(), limits.end(),
-                     [&](const KnownLimit& limit) { return limit.where.holds(point, variant); });
+bool KnownLimit::holds(const std::string& point, const std::string& variant) const {
+  return where.holds(point, variant) &&
+         std::ranges::none_of(lifted, [&](const Selection& free) { return free.holds(point, variant); });
+}
+
+const KnownLimit* CheckUse::known_limit(const std::string& point, const std::string& variant) const {
+  const auto found =
+      std::ranges::find_if(limits, [&](const KnownLimit& limit) { return limit.holds(point, variant); });
+  return found == limits.end() ? nullptr : &*found;
+}
+
+bool Case::runs(const std::string& at, const std::string& by) const {
+  return Selection{variant(by).points, point(at).variants}.holds(at, by);
+}
+
+const CheckUse* Case::use_of(const std::string& check, const std::string& at, const std::string& by) const {
+  if (!runs(at, by)) return nullptr;
+  const auto found = std::ranges::find_if(
+      checks, [&](const CheckUse& use) { return use.check == check && use.where.holds(at, by); });
+  return found == checks.end() ? nullptr : &*found;
 }
 
 const Point& Case::point(const std::string& wanted) const { return named(points, wanted); }

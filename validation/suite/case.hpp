@@ -14,34 +14,53 @@ struct Equation {
   std::string tex, text, citation;
 };
 
-/// A choice of points and variants; an empty list means all.
+/// A choice of points and variants by name, patterns already resolved; an empty list means all.
 struct Selection {
   std::vector<std::string> points, variants;
   bool holds(const std::string& point, const std::string& variant) const;
 };
 
-/// Values that replace those of the base scene, as a TOML table of the same shape, and where they stand.
+/// What a tier multiplies: replicas, duration, and the number of particles at the same density.
+struct Factors {
+  double replicas = 1, duration = 1, size = 1;
+  Place place = {};
+};
+
+/// Values that replace those of the base scene, as a TOML table of the same shape, and where they stand; the factors
+/// come after them.
 struct Override {
   Node values;
+  std::string file;
+  Factors factors = {};
+};
+
+/// Observers that a variant adds to the scene: a list of tables. One without `every` samples as the scene's last does.
+struct AddedObservers {
+  Node list;
   std::string file;
 };
 
 struct Point {
   std::string name, summary;
+  std::vector<std::string> tags;
   std::vector<std::string> variants;  ///< empty: all
   Override set;
 };
 
 struct Variant {
   std::string name, summary;
+  std::vector<std::string> tags;
   std::vector<std::string> points;  ///< empty: all
-  Override set;
+  std::vector<Override> sets;       ///< of the shared file, then of the case
+  std::vector<AddedObservers> added;
 };
 
 /// The source itself says that the method cannot do this: the check must fail here.
 struct KnownLimit {
   Selection where;
   std::string reason;
+  std::vector<Selection> lifted;  ///< where the case says that it can after all
+  bool holds(const std::string& point, const std::string& variant) const;
 };
 
 struct CheckUse {
@@ -50,7 +69,8 @@ struct CheckUse {
   Settings settings;
   Selection where;
   std::vector<KnownLimit> limits;
-  bool is_known_limit(const std::string& point, const std::string& variant) const;
+  /// The limit that the check must show here; null when there is none.
+  const KnownLimit* known_limit(const std::string& point, const std::string& variant) const;
 };
 
 struct TierChange {
@@ -84,6 +104,7 @@ struct Sweep {
 /// A planted fault and the check that must see it.
 struct Mutant {
   std::string mutation, check, variant, point;
+  law::Arguments numbers;  ///< in place of those of the check: where the source's own number is a known limit
   Override set;
 };
 
@@ -101,13 +122,19 @@ struct Case {
   std::vector<Sweep> sweeps;
   std::vector<Mutant> mutants;
 
+  /// The variant runs at the point, in some tier.
+  bool runs(const std::string& point, const std::string& variant) const;
+  /// The check as it is made there; null when it is not.
+  const CheckUse* use_of(const std::string& check, const std::string& point,
+                         const std::string& variant) const;
   const Point& point(const std::string& name) const;
   const Variant& variant(const std::string& name) const;
   Tier tier(const std::string& name) const;
 };
 
-/// Reads case.toml, scene.toml and README.md of a folder. Throws InputError with every fault of case.toml,
-/// each with its place, the allowed words and the nearest spelling.
+/// Reads case.toml, scene.toml and README.md of a folder, and variants.toml two folders above, which says what the
+/// variants of all cases are. Throws InputError with every error of case.toml, each with its place, the allowed words and
+/// the nearest spelling.
 Case read_case(const std::string& folder);
 
 /// Every case below a folder, sorted by topic and name.

@@ -44,6 +44,7 @@ Json verdict_json(const Outcome& outcome, const CheckOutcome& check) {
             {"reason", judgement.reason},
             {"value", evidence.value},
             {"stderr", evidence.standard_error},
+            {"kind", to_string(evidence.kind)},
             {"expected", evidence.expected},
             {"deviation", judgement.deviation},
             {"budget", judgement.budget},
@@ -54,6 +55,7 @@ Json verdict_json(const Outcome& outcome, const CheckOutcome& check) {
             {"peak_bytes", outcome.run.peak_bytes},
             {"seed", outcome.run.seed},
             {"tier", outcome.tier}};
+  if (evidence.kind == Expectation::between) json["upper"] = evidence.upper;
   if (check.known_limit) json["known_limit"] = check.limit_reason;
   if (!outcome.first_attempt.empty()) json["first_attempt"] = first_attempt_json(outcome, evidence.check);
   return json;

@@ -7,10 +7,6 @@
 namespace sandglass {
 
 namespace {
-bool runs(const Variant& variant, const Point& point) {
-  return Selection{variant.points, point.variants}.holds(point.name, variant.name);
-}
-
 std::vector<const CheckUse*> checks_of(const Case& subject, const std::string& variant,
                                        const std::string& point) {
   std::vector<const CheckUse*> checks;
@@ -23,11 +19,13 @@ std::vector<const CheckUse*> checks_of(const Case& subject, const std::string& v
 Scene scene_of(const Case& subject, const std::string& tier, const std::string& variant,
                const std::string& point, const Override& on_top) {
   const Tier chosen = subject.tier(tier);
-  std::vector<const Override*> layers{&subject.point(point).set, &subject.variant(variant).set};
+  const Variant& by = subject.variant(variant);
+  std::vector<const Override*> layers{&subject.point(point).set};
+  for (const Override& set : by.sets) layers.push_back(&set);
   for (const TierChange& change : chosen.changes)
     if (change.where.holds(point, variant)) layers.push_back(&change.set);
   layers.push_back(&on_top);
-  return lay_over(subject.scene, subject.scene_file, layers);
+  return lay_over(subject.scene, subject.scene_file, layers, by.added);
 }
 
 std::vector<Task> expand(const Case& subject, const std::string& tier, const std::string& only_variant) {
@@ -36,7 +34,7 @@ std::vector<Task> expand(const Case& subject, const std::string& tier, const std
   for (const Variant& variant : subject.variants)
     for (const Point& point : subject.points) {
       if (!only_variant.empty() && variant.name != only_variant) continue;
-      if (!runs(variant, point) || !chosen.where.holds(point.name, variant.name)) continue;
+      if (!subject.runs(point.name, variant.name) || !chosen.where.holds(point.name, variant.name)) continue;
       Task task{&subject, variant.name, point.name, scene_of(subject, tier, variant.name, point.name, {}),
                 checks_of(subject, variant.name, point.name)};
       if (!task.checks.empty()) tasks.push_back(std::move(task));

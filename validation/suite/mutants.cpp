@@ -3,6 +3,9 @@
 #include "sim/base/error.hpp"
 #include "sim/run/run.hpp"
 
+#include <algorithm>
+#include <set>
+
 namespace sandglass {
 
 namespace {
@@ -11,14 +14,6 @@ std::string summary_of(const std::string& mutation) {
     if (info.name == mutation) return info.summary;
   return "";
 }
-
-const CheckUse* use_of(const Case& subject, const Mutant& mutant) {
-  for (const CheckUse& use : subject.checks)
-    if (use.check == mutant.check && use.where.holds(mutant.point, mutant.variant)) return &use;
-  throw InputError("case '" + subject.name + "': mutant '" + mutant.mutation + "' names the check '" +
-                   mutant.check + "', which the case does not make at point '" + mutant.point +
-                   "' of variant '" + mutant.variant + "': add the check there or name another");
-}
 }  // namespace
 
 Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mutant) {
@@ -26,7 +21,7 @@ Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mut
           mutant.variant,
           mutant.point,
           scene_of(subject, tier, mutant.variant, mutant.point, mutant.set),
-          {use_of(subject, mutant)}};
+          {subject.use_of(mutant.check, mutant.point, mutant.variant)}};
 }
 
 MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confidence& confidence) {
@@ -36,6 +31,7 @@ MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confiden
   options.mutation.name = mutant.mutation;
   CheckUse use = *task.checks.front();
   use.limits.clear();
+  for (const auto& [name, value] : mutant.numbers) use.settings.numbers[name] = value;
   Task honest = task;
   honest.checks = {&use};
   try {
@@ -45,6 +41,18 @@ MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confiden
   }
   result.caught = result.check.judgement.verdict == Verdict::fail;
   return result;
+}
+
+std::vector<UntestedCheck> untested_checks(const Case& subject) {
+  std::set<UntestedCheck> wanted;
+  for (const std::string& tier : tier_names())
+    for (const Task& task : expand(subject, tier, ""))
+      for (const CheckUse* use : task.checks)
+        if (!use->known_limit(task.point, task.variant))
+          wanted.insert({use->check, method_family(task.scene)});
+  for (const Mutant& mutant : subject.mutants)
+    wanted.erase({mutant.check, method_family(scene_of(subject, "", mutant.variant, mutant.point, {}))});
+  return {wanted.begin(), wanted.end()};
 }
 
 }  // namespace sandglass

@@ -20,4 +20,13 @@ Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mut
 /// Runs the scene with the fault planted; caught when the check fails. A run that breaks catches nothing and says why.
 MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confidence& confidence);
 
+/// A check that a case makes of a method family without planting any fault that it must see there.
+struct UntestedCheck {
+  std::string check, family;
+  auto operator<=>(const UntestedCheck&) const = default;
+};
+
+/// Empty for a complete case. A check that is a known limit wherever the family faces it needs none: passing is an alarm.
+std::vector<UntestedCheck> untested_checks(const Case& subject);
+
 }  // namespace sandglass

@@ -23,18 +23,13 @@ Evidence nothing_known(const std::string& check) {
   return evidence;
 }
 
-std::string reason_of_limit(const CheckUse& use, const Task& task) {
-  for (const KnownLimit& limit : use.limits)
-    if (limit.where.holds(task.point, task.variant)) return limit.reason;
-  return "";
-}
-
 CheckOutcome judge_one(const CheckUse& use, const Task& task, const Record& record,
                        const Confidence& confidence) {
   CheckOutcome outcome;
   outcome.claim = use.claim;
-  outcome.known_limit = use.is_known_limit(task.point, task.variant);
-  outcome.limit_reason = reason_of_limit(use, task);
+  const KnownLimit* limit = use.known_limit(task.point, task.variant);
+  outcome.known_limit = limit != nullptr;
+  if (limit) outcome.limit_reason = limit->reason;
   std::string failure;
   try {
     outcome.evidence = run_check(find_check(use.check), record, use.settings);

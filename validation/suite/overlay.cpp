@@ -1,7 +1,10 @@
 #include "validation/suite/overlay.hpp"
 
 #include "sim/base/error.hpp"
+#include "validation/suite/factors.hpp"
 #include "validation/suite/write_node.hpp"
+
+#include <algorithm>
 
 namespace sandglass {
 
@@ -29,8 +32,31 @@ void merge(OriginNode& base, const Node& over, const std::string& file) {
   }
 }
 
-/// Moves each fault from the composed text to the file that the faulty line came from.
-[[noreturn]] void place_faults(const InputError& error, const ComposedText& composed) {
+std::string what_of(OriginNode& observer) {
+  const OriginNode* what = observer.entry("what");
+  return what ? what->node.text : "";
+}
+
+void add_observers(OriginNode& root, const AddedObservers& added) {
+  OriginNode* observers = root.entry("observe");
+  if (!observers) {
+    root.items.push_back(with_origin(added.list, added.file));
+    return;
+  }
+  const OriginNode* every = observers->items.empty() ? nullptr : observers->items.back().entry("every");
+  std::vector<OriginNode> fresh = with_origin(added.list, added.file).items;
+  const auto present = [&](OriginNode& wanted) {
+    return std::ranges::any_of(observers->items,
+                               [&](OriginNode& observer) { return what_of(observer) == what_of(wanted); });
+  };
+  std::erase_if(fresh, present);
+  for (OriginNode& observer : fresh)
+    if (every && !observer.entry("every")) observer.items.push_back(*every);
+  observers->items.insert(observers->items.end(), fresh.begin(), fresh.end());
+}
+
+/// Moves each error from the composed text to the file that the faulty line came from.
+[[noreturn]] void place_errors(const InputError& error, const ComposedText& composed) {
   std::vector<Diagnostic> diagnostics = error.diagnostics();
   for (Diagnostic& diagnostic : diagnostics) {
     const auto line = static_cast<std::size_t>(diagnostic.line);
@@ -44,15 +70,19 @@ void merge(OriginNode& base, const Node& over, const std::string& file) {
 }
 }  // namespace
 
-Scene lay_over(const Node& base, const std::string& base_file,
-               const std::vector<const Override*>& overrides) {
+Scene lay_over(const Node& base, const std::string& base_file, const std::vector<const Override*>& overrides,
+               const std::vector<AddedObservers>& added) {
   OriginNode root = with_origin(base, base_file);
-  for (const Override* layer : overrides) merge(root, layer->values, layer->file);
+  for (const Override* layer : overrides) {
+    merge(root, layer->values, layer->file);
+    multiply(root, layer->factors, layer->file);
+  }
+  for (const AddedObservers& list : added) add_observers(root, list);
   const ComposedText composed = compose_text(root);
   try {
     return read_scene_text(composed.text, base_file);
   } catch (const InputError& error) {
-    place_faults(error, composed);
+    place_errors(error, composed);
   }
 }
 

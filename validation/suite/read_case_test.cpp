@@ -1,6 +1,9 @@
 #include "sim/base/error.hpp"
-#include "validation/suite/matrix.hpp"
+#include "validation/suite/mutants.hpp"
+#include "validation/suite/read_parts.hpp"
 #include "validation/suite/synthetic_case.hpp"
+
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,8 +42,8 @@ TEST(ReadCase, UnknownKeyHasItsPlaceAndTheNearestSpelling) {
 TEST(ReadCase, NamesThatNameNothingAreRefusedAllAtOnce) {
   const std::string faults =
       faults_of(SyntheticCase("points = [\"on\"]\n[[mutant]]\nmutation = \"bound-halvd\"\ncheck = "
-                              "\"energy-conservation\"\nvariant = \"dsmc\"\n"
-                              "point = \"one\"\n"));
+                              "\"energy-conservation\"\nvariants = \"dsmc\"\n"
+                              "points = \"one\"\n"));
   EXPECT_THAT(faults, HasSubstr("unknown point 'on'"));
   EXPECT_THAT(faults, HasSubstr("did you mean 'bound-halved'"));
 }
@@ -66,13 +69,27 @@ TEST(ReadCase, EveryCommittedCaseCanRunInEveryTier) {
       EXPECT_FALSE(expand(subject, tier, "").empty()) << subject.name;
 }
 
-TEST(ReadCase, EveryCheckThatACaseMakesHasAMutant) {
+TEST(ReadCase, EveryCheckHasAMutantInEachFamily) {
   for (const Case& subject : read_cases(SANDGLASS_SOURCE_DIR "/validation/case"))
-    for (const CheckUse& use : subject.checks) {
-      const auto same = [&](const Mutant& mutant) { return mutant.check == use.check; };
-      EXPECT_TRUE(std::any_of(subject.mutants.begin(), subject.mutants.end(), same))
-          << subject.name << " " << use.check;
-    }
+    for (const UntestedCheck& untested : untested_checks(subject))
+      ADD_FAILURE() << subject.name << " plants no fault for " << untested.check << " in " << untested.family;
+}
+
+/// A pattern of the shared file may match nothing in one case, but not in all of them.
+TEST(ReadCase, EverySharedLimitAndAdditionIsUsedByACase) {
+  const std::string folder = SANDGLASS_SOURCE_DIR "/validation/case";
+  const std::vector<Case> cases = read_cases(folder);
+  const VariantLibrary library = read_variant_library(folder + "/variants.toml");
+  std::set<std::string> reasons, added;
+  for (const Case& subject : cases) {
+    for (const CheckUse& use : subject.checks)
+      for (const KnownLimit& limit : use.limits) reasons.insert(limit.reason);
+    for (const Variant& variant : subject.variants)
+      if (!variant.added.empty()) added.insert(variant.name);
+  }
+  for (const SharedLimit& limit : library.limits) EXPECT_TRUE(reasons.contains(limit.reason)) << limit.reason;
+  for (const SharedVariant& shared : library.variants)
+    EXPECT_TRUE(shared.additions.empty() || added.contains(shared.variant.name)) << shared.variant.name;
 }
 
 }  // namespace

@@ -104,6 +104,7 @@ void write_mutants(const std::string& folder, const std::vector<MutantResult>& m
                     {"caught", mutant.caught},
                     {"value", mutant.check.evidence.value},
                     {"stderr", mutant.check.evidence.standard_error},
+                    {"kind", to_string(mutant.check.evidence.kind)},
                     {"expected", mutant.check.evidence.expected},
                     {"budget", mutant.check.judgement.budget}});
   write_json(fs::path(folder) / "mutants.json", json);

@@ -16,9 +16,9 @@ namespace sandglass {
 namespace {
 
 constexpr const char* mutant =
-    "[[mutant]]\nmutation = \"restitution-minus-2-percent\"\ncheck = \"energy-conservation\"\nvariant = "
+    "[[mutant]]\nmutation = \"restitution-minus-2-percent\"\ncheck = \"energy-conservation\"\nvariants = "
     "\"dsmc\"\n"
-    "point = \"one\"\n";
+    "points = \"one\"\n";
 
 SuiteOptions options_of(const SyntheticCase& files) {
   SuiteOptions options;
@@ -129,7 +129,7 @@ observe = [{ what = "energy" }]
   const CheckUse use{"momentum-conservation", "", {}, {}, {}};
   const Task task{&subject, "event-driven", "row", row, {&use}};
   const MutantResult result =
-      judge_mutant(task, {"guard-dropped", use.check, task.variant, task.point, {}}, {});
+      judge_mutant(task, {"guard-dropped", use.check, task.variant, task.point, {}, {}}, {});
   EXPECT_FALSE(result.caught);
   EXPECT_THAT(result.check.judgement.reason, testing::HasSubstr("the run broke: inelastic collapse"));
 }

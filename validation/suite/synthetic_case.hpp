@@ -30,6 +30,13 @@ class SyntheticCase {
   SyntheticCase(const SyntheticCase&) = delete;
   SyntheticCase& operator=(const SyntheticCase&) = delete;
 
+  /// The variants of all cases.
+  void write_variants(const std::string& text) const { std::ofstream(root_ / "variants.toml") << text; }
+  /// The case in other words.
+  void write_case(const std::string& text) const {
+    write("case.toml", "name = \"small\"\ntopic = \"test\"\nsummary = \"s\"\nquestion = \"q\"\n" + text);
+  }
+
   std::filesystem::path root() const { return root_; }
   std::filesystem::path folder() const { return root_ / "test" / "small"; }
 
