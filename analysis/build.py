@@ -9,9 +9,10 @@ from analysis import comparison
 from analysis.equations import draw_equation
 from analysis.exports import write_csv, write_junit
 from analysis.figures import draw_evidence
+from analysis.grid import grid
 from analysis.matrix_figure import draw_matrix
 from analysis.pages import write_pages
-from analysis.summary import quantities
+from analysis.summary import headline, quantities
 from analysis.sweep_figures import draw_cost, draw_knob
 from analysis.words import slug
 
@@ -29,7 +30,8 @@ class Pictures:
 
 def _plan(report, folder, figures):
     """(names of pictures, jobs that draw them)."""
-    pictures, jobs = Pictures(), [partial(draw_matrix, report.verdicts, figures / "matrix")]
+    pictures = Pictures()
+    jobs = [partial(draw_matrix, grid(report), f"{headline(report)}.", figures / "matrix")]
     for case in report.cases:
         for item in case.evidence:
             names = [f"{slug(*item.verdict.key)}.{number}" for number in range(1, len(item.figures) + 1)]

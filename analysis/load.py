@@ -6,14 +6,14 @@ from pathlib import Path
 from analysis import model
 from analysis.checked import Node, read_json, read_toml
 from analysis.record import load_record
-from analysis.words import CLAIM_STATES, VERDICTS
+from analysis.words import CLAIM_STATES, EXPECTATIONS, VERDICTS
 
 __all__ = ["load_record", "load_report"]
 
 READERS = {str: Node.text, float: Node.number, model.Number: Node.number, int: Node.whole, bool: Node.flag}
 
 
-def _plain(kind, node, **given):
+def _plain(kind, node, /, **given):
     """A dataclass of plain values, each read from the key of the same name; `given` holds the others."""
     rest = {f.name: READERS[f.type](node, f.name) for f in fields(kind) if f.name not in given}
     return kind(**given, **rest)
@@ -21,7 +21,10 @@ def _plain(kind, node, **given):
 
 def _verdict(node):
     parts = _plain(model.Budget, node["budget_parts"])
-    return _plain(model.Verdict, node, verdict=node.one_of("verdict", VERDICTS), budget_parts=parts)
+    return _plain(model.Verdict, node, verdict=node.one_of("verdict", VERDICTS), budget_parts=parts,
+                  kind=node.one_of("kind", EXPECTATIONS) if node.has("kind") else "equal",
+                  upper=node.number("upper") if node.has("upper") else None,
+                  known_limit=node.text("known_limit") if node.has("known_limit") else "")
 
 
 def _verdicts(node):

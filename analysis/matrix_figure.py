@@ -1,63 +1,142 @@
-"""The matrix of cases and variants as one picture, readable 900 pixels wide."""
+"""The folded matrix of cases and methods as one picture, readable 900 pixels wide."""
 
-from matplotlib.patches import Rectangle
+import textwrap
+from dataclasses import dataclass
 
-from analysis.plotting import literal, pyplot, save
-from analysis.summary import rows, variants
-from analysis.words import number
+from analysis.plotting import pyplot, save, wrapped
+from analysis.sheet import Sheet, extent
+from analysis.words import ABSENT, GOOD, VERDICTS, ratio
 
-WIDTH, ROW, LABEL = 9.0, 0.31, 2.3   # inches
-
-
-def _short(text, length):
-    return literal(text if len(text) <= length else text[:length - 1] + "…")
-
-
-def _cell(panel, x, y, width, cell):
-    for extent, alpha in ((width - 0.04, 0.22), (0.05, 1)):
-        panel.add_patch(Rectangle((x, y), extent, ROW - 0.04, facecolor=cell.look.colour, alpha=alpha,
-                                  linewidth=0))
-    text = f"{cell.look.symbol} {cell.look.word}"
-    panel.text(x + 0.1, y + ROW / 2 - 0.02, text, va="center",
-               fontsize=8.5 if 0.075 * len(text) + 0.15 < width else 7)
-    share = "" if cell.shown.share is None else number(cell.shown.share, 2)
-    if 0.072 * len(text + share) + 0.2 < width:
-        panel.text(x + width - 0.08, y + ROW / 2 - 0.02, share, va="center", ha="right", fontsize=8,
-                   color="#444")
+WIDTH, MARGIN, LABEL = 9.0, 0.08, 1.65            # inches
+ROW, NARROW_ROW, TOPIC, LINE = 0.42, 0.68, 0.3, 0.19
+NARROW = 0.9                                      # columns below this have a line for each number of a cell
+UPRIGHT = 1.3                                     # longest name of a narrow column
+GAP = 0.05
+SOFT, TRACK, EMPTY = "#555555", "#cfd4d8", "#f3f4f5"
+SHADES = {True: 0.2, False: 0.5}                  # what blocks is darker
+HOW_TO_READ = ("Rows: test cases. Columns: methods. ✓ 12/12: 12 of 12 checks hold. "
+               "Bar and number: the largest deviation; 1 is the edge of its error budget.")
 
 
-def _canvas(columns, lines):
-    height = ROW * (1 + lines) + 0.3
+@dataclass(frozen=True)
+class _Layout:
+    columns: list[str]
+
+    @property
+    def width(self):
+        return (WIDTH - 2 * MARGIN - LABEL) / max(1, len(self.columns))
+
+    @property
+    def narrow(self):
+        return self.width < NARROW
+
+    @property
+    def row(self):
+        return NARROW_ROW if self.narrow else ROW
+
+    def left(self, variant):
+        return MARGIN + LABEL + self.width * self.columns.index(variant)
+
+
+def _bar(sheet, x, y, length, item):
+    """The whole length is the error budget."""
+    sheet.box(x, y - 0.03, length, 0.06, TRACK)
+    if item.share is not None:
+        sheet.box(x, y - 0.03, length * min(item.share, 1), 0.06, VERDICTS[item.verdict].colour)
+
+
+def _wide_cell(sheet, x, y, width, fold):
+    """Counts above, bar and deviation below."""
+    sheet.text(x, y + 0.12, "   ".join(text for _, text in fold.tallies), width=width)
+    text = ratio(fold.worst.share)
+    _bar(sheet, x, y + 0.27, width - 0.03 - max(0.3, extent(text, 8) + 0.08), fold.worst)
+    sheet.text(x + width - 0.03, y + 0.27, text, 8, ha="right", color=SOFT)
+
+
+def _narrow_cell(sheet, x, y, width, fold):
+    """Counts, known limits, deviation, each in its own line, and the bar."""
+    first, *others = [text for _, text in fold.tallies]
+    if extent(first, 7.5) > width:
+        first = first.split()[-1]
+    sheet.text(x, y + 0.12, first, width=width)
+    sheet.text(x, y + 0.275, " ".join(others), width=width)
+    sheet.text(x, y + 0.43, ratio(fold.worst.share), 8, width, color=SOFT)
+    _bar(sheet, x, y + 0.56, width, fold.worst)
+
+
+def _cell(sheet, layout, x, y, fold):
+    width, height, colour = layout.width - GAP, layout.row - GAP, VERDICTS[fold.verdict].colour
+    sheet.box(x, y, width, height, colour, SHADES[fold.verdict in GOOD])
+    sheet.box(x, y, 0.05, height, colour)
+    draw = _narrow_cell if layout.narrow else _wide_cell
+    draw(sheet, x + 0.09, y, width - 0.13, fold)
+
+
+def _heads(sheet, layout, y):
+    """Names of the variants: on two lines where long, upright where the columns are narrow."""
+    for variant in layout.columns:
+        x = layout.left(variant)
+        if layout.narrow:
+            sheet.text(x + layout.width / 2, y, variant, width=UPRIGHT, weight="bold", rotation=90, ha="center",
+                       va="bottom")
+            continue
+        lines = textwrap.wrap(variant, int(layout.width * 13), max_lines=2, placeholder="…")
+        for index, line in enumerate(lines):
+            sheet.text(x + 0.02, y - 0.05 + 0.15 * (index - len(lines) + 1), line, width=layout.width - GAP,
+                       weight="bold")
+
+
+def _topic(sheet, y, topic):
+    sheet.text(MARGIN, y + 0.17, topic, width=LABEL, color=SOFT)
+    sheet.box(MARGIN + LABEL, y + 0.165, WIDTH - 2 * MARGIN - LABEL, 0.01, TRACK)
+
+
+def _cases(sheet, layout, y, topics):
+    """Returns where the next thing may be drawn."""
+    for topic, cases in topics.items():
+        _topic(sheet, y, topic)
+        y += TOPIC
+        for case, cells in cases.items():
+            sheet.text(MARGIN, y + layout.row / 2 - 0.02, case, 9.5, LABEL - 0.1, weight="bold")
+            for variant in layout.columns:
+                x = layout.left(variant)
+                if variant in cells:
+                    _cell(sheet, layout, x, y, cells[variant])
+                else:
+                    sheet.box(x, y, layout.width - GAP, layout.row - GAP, EMPTY)
+            y += layout.row
+    return y
+
+
+def _legend(sheet, y, present):
+    """A line for each verdict that occurs, and one for a method that is not run."""
+    entries = [(VERDICTS[name].colour, SHADES[name in GOOD], f"{VERDICTS[name].symbol} {VERDICTS[name].word}",
+                VERDICTS[name].meaning) for name in present]
+    for colour, alpha, word, meaning in entries + [(EMPTY, 1, "empty", ABSENT)]:
+        sheet.box(MARGIN, y - 0.085, 0.05, 0.17, colour)
+        sheet.box(MARGIN, y - 0.085, LABEL - 0.15, 0.17, colour, alpha)
+        sheet.text(MARGIN + 0.1, y, word)
+        sheet.text(MARGIN + LABEL, y, meaning, width=WIDTH - LABEL - 2 * MARGIN, color=SOFT)
+        y += LINE
+
+
+def _sheet(height):
     picture = pyplot.figure(figsize=(WIDTH, height))
-    panel = picture.add_axes([0.005, 0, 0.99, 1], xlim=(0, WIDTH), ylim=(height, 0))
+    panel = picture.add_axes([0, 0, 1, 1], xlim=(0, WIDTH), ylim=(height, 0))
     panel.axis("off")
-    width = (WIDTH - LABEL) / max(1, len(columns))
-    for index, variant in enumerate(columns):
-        panel.text(LABEL + width * index + 0.08, ROW * 0.7, _short(variant, int(width * 15)), weight="bold",
-                   fontsize=9 if len(variant) <= width * 11 else 7.5)
-    return picture, panel, width
+    return picture, Sheet(panel, WIDTH)
 
 
-def _case(panel, y, case):
-    panel.text(0.05, y + ROW * 0.6, _short(case, 60), weight="bold", fontsize=10, va="center")
-    panel.plot([0, WIDTH], [y + 0.02, y + 0.02], color="#cccccc", linewidth=0.7)
-
-
-def draw_matrix(verdicts, stem):
-    """Saves the matrix; rows are grouped by case, columns are variants."""
-    columns, cases = variants(verdicts), {}
-    for (case, point), cells in rows(verdicts, lambda item: (item.case, item.point)).items():
-        cases.setdefault(case, []).append((point, cells))
-    picture, panel, width = _canvas(columns, len(cases) + sum(len(points) for points in cases.values()))
-    y = ROW
-    for case, points in cases.items():
-        _case(panel, y, case)
-        for point, cells in points:
-            y += ROW
-            panel.text(0.25, y + ROW / 2 - 0.02, _short(point, 28), va="center", fontsize=9)
-            for variant, cell in cells.items():
-                _cell(panel, LABEL + width * columns.index(variant), y, width, cell)
-        y += ROW
-    panel.text(LABEL, y + 0.14, "number: largest deviation in units of its error budget", fontsize=8,
-               color="#444", va="center")
+def draw_matrix(grid, title, stem):
+    """Saves the matrix of `grid` under a title."""
+    layout, title = _Layout(grid.variants), wrapped(title, 90)
+    present = [name for name in VERDICTS if any(fold.count(name) for fold in grid.folds)]
+    note = 0.42 + 0.2 * title.count("\n")
+    top = note + (0.2 + UPRIGHT if layout.narrow else 0.42)
+    cases = TOPIC * len(grid.topics) + layout.row * sum(map(len, grid.topics.values()))
+    picture, sheet = _sheet(top + cases + 0.2 + LINE * (len(present) + 1))
+    sheet.panel.text(MARGIN, 0.08, title, fontsize=11.5, weight="bold", va="top")
+    sheet.text(MARGIN, note, HOW_TO_READ, width=WIDTH - 2 * MARGIN, color=SOFT)
+    _heads(sheet, layout, top)
+    _legend(sheet, _cases(sheet, layout, top + 0.06, grid.topics) + 0.2, present)
     save(picture, stem)

@@ -1,5 +1,6 @@
 """What a report folder holds, as plain values. A number that nobody knows is None, in arrays NaN."""
 
+import math
 from dataclasses import dataclass, field
 
 Number = float | None
@@ -41,6 +42,9 @@ class Verdict:
     peak_bytes: Number
     seed: int
     tier: str
+    kind: str = "equal"      # what the expectation says of the value: a key of words.EXPECTATIONS
+    upper: Number = None     # where the value lies between `expected` and this
+    known_limit: str = ""    # why the case expects this check to fail
 
     @property
     def key(self):
@@ -56,10 +60,17 @@ class Verdict:
 
     @property
     def share(self):
-        """Deviation in units of the budget; None when either is unknown or the budget is zero."""
-        if self.deviation is None or not self.budget:
+        """Deviation in units of the budget; None when either is unknown.
+
+        A budget of zero demands the exact value, except where the judge had no budget to give.
+        """
+        if self.deviation is None or self.budget is None:
             return None
-        return self.deviation / self.budget
+        if self.budget:
+            return self.deviation / self.budget
+        if self.verdict == "inconclusive":
+            return None
+        return math.inf if self.deviation else 0.0
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ import jinja2
 from markupsafe import Markup
 
 from analysis import bar, markdown, summary, words
+from analysis.grid import grid
 
 HERE = Path(__file__).parent
 
@@ -14,9 +15,11 @@ def environment(report, folder):
     """Templates with all text escaped, and the words they use."""
     result = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True,
                                 trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined)
-    result.filters.update(number=words.number, units=words.units, seconds=words.seconds, size=words.size)
+    result.filters.update(number=words.number, units=words.units, seconds=words.seconds, size=words.size,
+                          ratio=words.ratio, expectation=words.expectation)
     result.globals.update(
-        report=report, summary=summary, looks=words.VERDICTS, claim_states=words.CLAIM_STATES,
+        report=report, summary=summary, looks=words.VERDICTS, good=words.GOOD, worst=words.worst,
+        absent=words.ABSENT, claim_states=words.CLAIM_STATES,
         slug=words.slug, with_error=words.with_error, total=summary.total, budget_bar=bar.budget_bar,
         style=(HERE / "style.css").read_text(encoding="utf-8"), kept=lambda name: (folder / name).is_file(),
         markdown=lambda text: Markup(markdown.render(text)))
@@ -32,7 +35,7 @@ def write_pages(report, folder, pictures):
     """Writes index, case, precision and mutant pages; `pictures` says which files exist (see build.py)."""
     templates = environment(report, folder)
     _write(folder / "index.html", templates.get_template("index.html.j2"), root="", pictures=pictures,
-           key=lambda item: (item.case, item.point))
+           grid=grid(report), cases={case.name: case for case in report.cases})
     for case in report.cases:
         _write(folder / "case" / f"{words.slug(case.name)}.html", templates.get_template("case.html.j2"),
                root="../", case=case, pictures=pictures, key=lambda item: (item.point, item.check))

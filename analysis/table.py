@@ -4,7 +4,7 @@ import os
 import sys
 
 from analysis.summary import headline, rows
-from analysis.words import GOOD, number, seconds
+from analysis.words import GOOD, ratio, seconds
 
 HEAD = ("case", "point", "variant", "verdict", "checks", "worst check", "deviation/budget", "CPU time")
 STYLES = {"pass": "green", "expected-fail": "blue", "inconclusive": "yellow", "unexpected-pass": "magenta",
@@ -31,7 +31,7 @@ def lines(report):
             good = sum(item.verdict in GOOD for item in cell.verdicts)
             found.append((cell.verdict, (
                 _short(case), _short(point), _short(variant), f"{cell.look.symbol} {cell.look.word}",
-                f"{good}/{len(cell.verdicts)}", _short(cell.shown.check), number(cell.shown.share, 2),
+                f"{good}/{len(cell.verdicts)}", _short(cell.shown.check), ratio(cell.shown.share),
                 seconds(cell.cpu_seconds))))
     return found
 

@@ -11,7 +11,7 @@ UNKNOWN = "–"
 
 @dataclass(frozen=True)
 class Look:
-    """How a verdict is shown: never by colour alone. Colours: Okabe and Ito's palette."""
+    """How a verdict is shown: never by colour alone. Colours: Okabe and Ito's palette; red: Tol's."""
 
     symbol: str
     word: str
@@ -23,13 +23,15 @@ class Look:
 VERDICTS = {
     "pass": Look("✓", "pass", "#009e73", "the deviation lies inside the error budget"),
     "expected-fail": Look("◇", "known limit", "#0072b2",
-                          "the method is known to be unable to do this, and is"),
+                          "the method is known to miss this, and does; counts as fine"),
     "inconclusive": Look("?", "inconclusive", "#e69f00", "the error bar is too wide to tell; blocks"),
     "unexpected-pass": Look("!", "unexpected pass", "#cc79a7", "a known limit was not seen; blocks"),
-    "fail": Look("✗", "fail", "#d55e00", "the deviation exceeds the error budget; blocks"),
+    "fail": Look("✗", "fail", "#cc3311", "the deviation exceeds the error budget; blocks"),
 }
 
 GOOD = ("pass", "expected-fail")   # every other verdict blocks
+ABSENT = "the case does not run this method"
+EXPECTATIONS = {"equal": "{}", "at-least": "≥ {}", "at-most": "≤ {}", "between": "{} to {}"}
 CLAIM_STATES = {"reproduced": ("✓", "pass"), "not reproduced": ("✗", "fail"),
                 "not yet tested": ("·", "plain")}
 
@@ -45,6 +47,22 @@ def number(value, digits=4):
     mantissa, _, exponent = f"{value:.{digits}g}".partition("e")
     power = f"×10{str(int(exponent)).translate(SUPERSCRIPT)}" if exponent else ""
     return (mantissa + power).replace("-", "−")
+
+
+def ratio(share):
+    """A deviation in units of its budget, short enough for a cell: '0.85', '<0.01', '12', '∞'."""
+    if share is None:
+        return UNKNOWN
+    if math.isinf(share):
+        return "∞"
+    if 0 < share < 0.005:
+        return "<0.01"
+    return number(share, 2) if share >= 10 else f"{share:.2f}" if share else "0"
+
+
+def expectation(item):
+    """What a check expects of its value: '1.001', '≤ 0.3' where only one side is wrong, or '0.5 to 2'."""
+    return EXPECTATIONS[item.kind].format(number(item.expected, 6), number(item.upper, 6))
 
 
 def with_error(value, error):

@@ -92,6 +92,16 @@ class Browser:
     def open(self, path):
         self._session("/url", {"url": path.resolve().as_uri()})
 
+    def click(self, selector):
+        """A click of the mouse, refused where something else covers the element."""
+        found = self._session("/element", {"using": "css selector", "value": selector})
+        self._session(f"/element/{next(iter(found.values()))}/click", {})
+
+    def press(self, key):
+        """`key`: one character, or a code of the WebDriver protocol for a key that writes none."""
+        strokes = [{"type": "keyDown", "value": key}, {"type": "keyUp", "value": key}]
+        self._session("/actions", {"actions": [{"type": "key", "id": "keyboard", "actions": strokes}]})
+
     def evaluate(self, script):
         return self._session("/execute/sync", {"script": script, "args": []})
 

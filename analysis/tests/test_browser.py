@@ -10,6 +10,11 @@ MISSING = "return [...document.images].filter(i => i.complete && !i.naturalWidth
 LOADING = "return [...document.images].some(i => !i.complete)"
 OVERFLOW = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
 LINKS = "return [...document.links].map(a => a.href).filter(h => h.startsWith('file:') && h.includes('#'))"
+LISTS = "return [...document.querySelectorAll('section.opened')].filter(s => s.offsetHeight).map(s => s.id)"
+FOCUS = "return document.activeElement.id"
+COVERED = ("const seen = document.querySelector('section.opened:target').getBoundingClientRect();"
+           "return seen.top < 0 || seen.top > innerHeight")
+TAB, ENTER = "\ue004", "\ue007"
 ANCHORS = "return [...document.querySelectorAll('[id]')].map(e => e.id)"
 
 
@@ -42,6 +47,42 @@ def test_anchors_exist(browser, built):
         wanted |= {tuple(link.split("#")) for link in browser.evaluate(LINKS)}
     assert wanted
     assert [link for link in wanted if link[1] not in anchors[link[0]]] == []
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_a_cell_opens_and_closes_by_click(browser, built, width):
+    browser.resize(width, 844)
+    browser.open(built[1] / "index.html")
+    assert browser.evaluate(LISTS) == []
+    for variant in ("cba", "dsmc"):
+        browser.click(f"a[href='#cell--equilibrium-gas--{variant}']")
+        assert browser.evaluate(LISTS) == [f"cell--equilibrium-gas--{variant}"]
+        assert not browser.evaluate(COVERED) and browser.evaluate(OVERFLOW) <= 0
+    browser.click("td:has(> a[href='#cell--equilibrium-gas--dsmc']) > .closes")
+    assert browser.evaluate(LISTS) == []
+    assert browser.complaints() == []
+
+
+def test_a_cell_opens_and_closes_by_keys(browser, built):
+    browser.resize(1280, 844)
+    browser.open(built[1] / "index.html")
+    browser.evaluate("document.querySelector('.case a').focus()")
+    browser.press(TAB)
+    browser.press(ENTER)
+    assert browser.evaluate(LISTS) == [browser.evaluate(FOCUS)] == ["cell--equilibrium-gas--cba"]
+    browser.press(TAB)
+    browser.press(ENTER)
+    assert browser.evaluate(LISTS) == []
+
+
+def test_each_opened_list_fits_the_screen(browser, built):
+    for width in (1280, 390):
+        browser.resize(width, 844)
+        browser.open(built[1] / "index.html")
+        for name in browser.evaluate("return [...document.querySelectorAll('section.opened')].map(s => s.id)"):
+            browser.evaluate(f"location.hash = '{name}'")
+            assert browser.evaluate(LISTS) == [name]
+            assert browser.evaluate(OVERFLOW) <= 0, f"{name} is wider than {width} px"
 
 
 def test_missing_picture_is_noticed(browser, built, tmp_path):

@@ -15,7 +15,8 @@ constexpr double kPerCell = 10;
 constexpr double kCollisionsPerMove = 0.06;
 
 struct Feature {
-  bool factor = false, gravity = false, walls = false, ids = false, transfer = false, plane = false;
+  bool factor = false, expected = false, gravity = false, walls = false, ids = false, transfer = false;
+  bool plane = false, thermal = false, obstacles = false;
   Offset offset{};
 };
 
@@ -52,19 +53,27 @@ void moves(benchmark::State& state, Feature feature) {
   const double rate = std::sqrt(2.0) * kPerCell * parameters.cross_section * mean_speed;
   const double dt = 2 * kCollisionsPerMove / rate;
 
-  MotionParameters<D> motion;
+  motion::MotionParameters<D> motion;
   std::vector<Plane> planes;
   if (feature.plane)
     planes.emplace_back(0, 0.5 * edge_cells, std::vector<double>{-5, 0, 5}), motion.planes = &planes;
   if (feature.gravity) motion.gravity[D - 1] = -1e-4;
   if (feature.walls) motion.walled[D - 1] = true;
+  if (feature.thermal) motion.walls = {{D - 1, false, 0, Vector<D>::Zero(), 0, 0, {WallKind::thermal}}};
+  // One obstacle for ten cells.
+  if (feature.obstacles)
+    for (const Phase<D>& place : gas<D>(count / 100, edge_cells - 1.0))
+      motion.obstacles.push_back({place.position + Vector<D>::Constant(0.5), 0.2, {}});
   if (feature.factor) parameters.factor.formula = contact_formula(D);
+  if (feature.expected) parameters.pair_count = PairCount::expected;
   parameters.offset = {feature.offset.consistent * parameters.diameter,
                        feature.offset.random * parameters.diameter};
   motion.offsets = parameters.offset.any();
   parameters.measure_transfer = feature.transfer;
-  Dsmc<D> dsmc(grid, parameters, motion, Streams{}, Purpose::collisions, feature.ids);
-  dsmc.assign({gas<D>(count, edge_cells), {}, {}, {}});
+  std::vector<ColumnInfo> columns;
+  if (feature.ids) columns.push_back(column::id);
+  Dsmc<D> dsmc(grid, parameters, motion, Streams{}, Purpose::collisions, columns);
+  dsmc.assign({gas<D>(count, edge_cells), {}});
   std::uint64_t step = 0;
   for (; step < 3; ++step) dsmc.step(dt, step);
   dsmc.tally() = Tally{};
@@ -92,9 +101,12 @@ void register_features(const std::string& prefix) {
   add("contact_factor", {.factor = true}, one);
   add("offset", {.offset = {1, 0}}, one);
   add("offset_measured", {.transfer = true, .offset = {1, 0}}, one);
+  add("offset_expected_pairs", {.expected = true, .offset = {1, 0}}, one);
   add("offset_random", {.offset = {1, 0.5}}, one);
   add("gravity_between_walls", {.gravity = true, .walls = true}, one);
   add("walls", {.walls = true}, one);
+  add("thermal_walls", {.walls = true, .thermal = true}, one);
+  add("obstacles", {.obstacles = true}, one);
   add("ids", {.ids = true}, one);
   add("plane", {.plane = true}, one);
 }

@@ -69,7 +69,7 @@ Particles<D> lattice(const Parameters<D>& parameters, std::uint64_t sites) {
     }
     mean += phase.velocity / static_cast<double>(parameters.particles);
     particles.phases.push_back(phase);
-    if (parameters.species.size() > 1) particles.species.push_back(i % 2);
+    if (parameters.species.size() > 1) particles.columns.append(column::species, i % 2);
   }
   for (Phase<D>& phase : particles.phases) phase.velocity -= mean;
   return particles;

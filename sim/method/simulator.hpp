@@ -1,20 +1,13 @@
 #pragma once
 
+#include "sim/base/error.hpp"
 #include "sim/observe/view.hpp"
+#include "sim/space/particles.hpp"
 
 #include <span>
 #include <vector>
 
 namespace sandglass {
-
-/// What a method starts from: one entry a particle in every column that is not empty.
-template <int D>
-struct Particles {
-  std::vector<Phase<D>> phases;
-  std::vector<Spin<D>> spins;         ///< empty: smooth
-  std::vector<std::uint8_t> species;  ///< empty: all of the first species
-  std::vector<std::uint64_t> ids;     ///< empty: number them if the method keeps ids
-};
 
 /// A method at work: what the run loop needs of it.
 template <int D>
@@ -30,6 +23,10 @@ class Simulator {
   virtual std::span<const std::uint64_t> ids() const = 0;
   /// Particles that it holds now.
   virtual std::uint64_t size() const = 0;
+  /// Adds particles between two steps, with new ids; columns that are not given get their initial value.
+  virtual void insert(const Particles<D>&) { refuse_other_number("insert"); }
+  /// Removes, between two steps, the particles at these places of the view.
+  virtual void remove(std::span<const std::uint32_t>) { refuse_other_number("remove"); }
   virtual Tally& tally() = 0;
   /// Counts of this method alone since time zero, by the name that they have in a record.
   virtual std::map<std::string, double> counters() const { return {}; }
@@ -38,6 +35,12 @@ class Simulator {
   virtual void load(const Memory&) {}
   /// Bytes held, everything included.
   virtual std::size_t bytes() const = 0;
+
+ private:
+  [[noreturn]] static void refuse_other_number(const std::string& action) {
+    throw RunError("this method cannot " + action +
+                   " particles during a run yet: their number stays what it was at the start");
+  }
 };
 
 /// The seed and replica that all random streams of a method share.

@@ -32,8 +32,9 @@ Quantity Pressure<D>::quantity() const {
 
 template <int D>
 double Pressure<D>::kinetic(const View<D>& view) const {
-  return view.weight * static_cast<double>(view.particles.size()) * temperatures(view).mean() /
-         view.box.prod();
+  return with_population(view, [&view](const auto& all) {
+    return all.weight.unit * all.count * temperatures(view, all).mean() / view.box.prod();
+  });
 }
 
 template <int D>
@@ -49,7 +50,9 @@ std::vector<double> Pressure<D>::measure(const View<D>& view) {
   start(view);
   // The geometric mean is the average over the interval, both of a constant and of Haff's (1 + t/t0)^-2.
   const double kinetic_part = std::sqrt(before * kinetic_);
-  const double collisional = view.weight * (transfer_.value() - carried) / (D * view.box.prod() * interval);
+  // With a weight column the method has counted every collision by the weights of its particles.
+  const double unit = view.columns.get(column::weight).empty() ? view.weight : 1;
+  const double collisional = unit * (transfer_.value() - carried) / (D * view.box.prod() * interval);
   return {kinetic_part, collisional, kinetic_part + collisional};
 }
 

@@ -34,16 +34,17 @@ void Moments<D>::start(const View<D>& view) {
 }
 
 namespace {
-/// Sums over particles: 4 powers of each component of sqrt(m) C, then 4 of its length.
-template <int D, class Masses>
-std::array<double, 4 * (D + 1)> sum_powers(const View<D>& view, const Masses& mass) {
-  const Vector<D> mean = mean_velocity(view, mass);
+/// Sums over real particles: 4 powers of each component of sqrt(m) C, then 4 of its length.
+template <int D, class All>
+std::array<double, 4 * (D + 1)> sum_powers(const View<D>& view, const All& all) {
+  const Vector<D> mean = mean_velocity(view, all);
   return sum_particles<4 * (D + 1)>(view, [&](const Phase<D>& particle, std::uint32_t i) {
     std::array<double, 4 * (D + 1)> terms;
     const Vector<D> relative = particle.velocity - mean;
     for (int axis = 0; axis < D; ++axis)
-      std::ranges::copy(powers(mass(i) * relative[axis] * relative[axis]), terms.begin() + 4 * axis);
-    std::ranges::copy(powers(mass(i) * relative.squaredNorm()), terms.begin() + 4 * D);
+      std::ranges::copy(powers(all.mass(i) * relative[axis] * relative[axis]), terms.begin() + 4 * axis);
+    std::ranges::copy(powers(all.mass(i) * relative.squaredNorm()), terms.begin() + 4 * D);
+    for (double& term : terms) term *= all.weight(i);
     return terms;
   });
 }
@@ -55,13 +56,9 @@ void require_motion(const std::array<double, 4 * (D + 1)>& sum) {
       throw RunError("'moments' are not defined: no particle moves relative to the mean along " +
                      axis_name(axis) + "; remove the observer 'moments'");
 }
-}  // namespace
 
 template <int D>
-std::vector<double> Moments<D>::measure(const View<D>& view) {
-  const auto sum = with_masses(view, [&view](const auto& mass) { return sum_powers(view, mass); });
-  require_motion<D>(sum);
-  const auto count = static_cast<double>(view.particles.size());
+std::vector<double> moments_of(const std::array<double, 4 * (D + 1)>& sum, double count) {
   const auto moment = [&](int group, int order) {
     return sum[static_cast<std::size_t>(4 * group + order - 1)] / count /
            std::pow(sum[static_cast<std::size_t>(4 * group)] / count, order);
@@ -74,6 +71,16 @@ std::vector<double> Moments<D>::measure(const View<D>& view) {
   }
   for (int order = 2; order <= 4; ++order) values.push_back(moment(D, order));
   return values;
+}
+}  // namespace
+
+template <int D>
+std::vector<double> Moments<D>::measure(const View<D>& view) {
+  return with_population(view, [&view](const auto& all) {
+    const auto sum = sum_powers(view, all);
+    require_motion<D>(sum);
+    return moments_of<D>(sum, all.count);
+  });
 }
 
 template <int D>
@@ -90,12 +97,15 @@ Quantity VelocityHistogram<D>::quantity() const {
 template <int D>
 std::vector<double> VelocityHistogram<D>::measure(const View<D>& view) {
   const double per_bin = static_cast<double>(spec_.bins) / (spec_.range[1] - spec_.range[0]);
-  std::vector<double> counts(spec_.bins);
-  for (const Phase<D>& particle : view.particles) {
-    const double bin = (particle.velocity[spec_.axis] - spec_.range[0]) * per_bin;
-    ++counts[static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(spec_.bins) - 0.5))];
-  }
-  return counts;
+  const double last = static_cast<double>(spec_.bins) - 0.5;
+  return with_population(view, [&](const auto& all) {
+    std::vector<double> counts(spec_.bins);
+    for (std::uint32_t i = 0; i < view.particles.size(); ++i) {
+      const double bin = (view.particles[i].velocity[spec_.axis] - spec_.range[0]) * per_bin;
+      counts[static_cast<std::size_t>(std::clamp(bin, 0.0, last))] += all.weight(i);
+    }
+    return counts;
+  });
 }
 
 template <int D>
@@ -112,12 +122,13 @@ Quantity ShearMode<D>::quantity() const {
 template <int D>
 std::vector<double> ShearMode<D>::measure(const View<D>& view) {
   const double wavenumber = 2 * M_PI * periods_ / view.box[1];
-  return with_masses(view, [&](const auto& mass) {
+  return with_population(view, [&](const auto& all) {
     const auto sum = sum_particles<1>(view, [&](const Phase<D>& particle, std::uint32_t i) {
       const double phase = wavenumber * particle.position[1];
-      return std::array{mass(i) * particle.velocity[0] * (cosine_ ? std::cos(phase) : std::sin(phase))};
+      return std::array{all.real_mass(i) * particle.velocity[0] *
+                        (cosine_ ? std::cos(phase) : std::sin(phase))};
     });
-    return std::vector{2 * sum[0] / mass.total};
+    return std::vector{2 * sum[0] / all.total_mass};
   });
 }
 

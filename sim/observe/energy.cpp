@@ -19,11 +19,11 @@ Quantity Energy<D>::quantity() const {
 
 template <int D>
 std::vector<double> Energy<D>::measure(const View<D>& view) {
-  return with_masses(view, [&view](const auto& mass) {
-    const auto sum = sum_particles<1>(view, [&mass](const Phase<D>& particle, std::uint32_t i) {
-      return std::array{mass(i) * particle.velocity.squaredNorm()};
+  return with_population(view, [&view](const auto& all) {
+    const auto sum = sum_particles<1>(view, [&all](const Phase<D>& particle, std::uint32_t i) {
+      return std::array{all.real_mass(i) * particle.velocity.squaredNorm()};
     });
-    return std::vector{0.5 * view.weight * mass.unit * sum[0]};
+    return std::vector{0.5 * all.real_unit() * sum[0]};
   });
 }
 
@@ -55,8 +55,8 @@ Quantity Momentum<D>::quantity() const {
 
 template <int D>
 std::vector<double> Momentum<D>::measure(const View<D>& view) {
-  const Vector<D> momentum = with_masses(view, [&view](const auto& mass) -> Vector<D> {
-    return view.weight * mass.unit * mass.total * mean_velocity(view, mass);
+  const Vector<D> momentum = with_population(view, [&view](const auto& all) -> Vector<D> {
+    return all.real_unit() * all.total_mass * mean_velocity(view, all);
   });
   return {momentum.data(), momentum.data() + D};
 }
@@ -68,11 +68,11 @@ Quantity MomentumScale<D>::quantity() const {
 
 template <int D>
 std::vector<double> MomentumScale<D>::measure(const View<D>& view) {
-  return with_masses(view, [&view](const auto& mass) {
-    const auto sum = sum_particles<1>(view, [&mass](const Phase<D>& particle, std::uint32_t i) {
-      return std::array{mass(i) * particle.velocity.norm()};
+  return with_population(view, [&view](const auto& all) {
+    const auto sum = sum_particles<1>(view, [&all](const Phase<D>& particle, std::uint32_t i) {
+      return std::array{all.real_mass(i) * particle.velocity.norm()};
     });
-    return std::vector{view.weight * mass.unit * sum[0]};
+    return std::vector{all.real_unit() * sum[0]};
   });
 }
 

@@ -1,6 +1,6 @@
 #include "sim/observe/fields.hpp"
 
-#include "sim/observe/masses.hpp"
+#include "sim/observe/population.hpp"
 
 namespace sandglass {
 
@@ -18,11 +18,13 @@ Quantity Fields<D>::quantity() const {
 }
 
 template <int D>
-template <class Masses>
-std::vector<double> Fields<D>::measure(const View<D>& view, const Masses& mass) const {
+template <class All>
+std::vector<double> Fields<D>::measure(const View<D>& view, const All& all) const {
   struct Sums {
-    std::size_t count = 0;
-    double mass = 0;
+    std::uint32_t particles = 0;
+    double count = 0;   ///< of real particles
+    double mass = 0;    ///< theirs
+    double shared = 0;  ///< sum of weight squared times mass: what Population::freedom takes off
     Vector<D> mean = Vector<D>::Zero();
     double squares = 0;  ///< of the velocity relative to the mean (Welford 1962; with masses: West 1979)
   };
@@ -31,26 +33,28 @@ std::vector<double> Fields<D>::measure(const View<D>& view, const Masses& mass) 
     const Phase<D>& particle = view.particles[i];
     Sums& bin = sums[bins_.bin_of(particle.position, view.box)];
     const Vector<D> before = particle.velocity - bin.mean;
-    ++bin.count;
-    bin.mass += mass(i);
-    bin.mean += mass(i) * before / bin.mass;
-    bin.squares += mass(i) * before.dot(particle.velocity - bin.mean);
+    ++bin.particles;
+    bin.count += all.weight(i);
+    bin.mass += all.real_mass(i);
+    bin.shared += all.weight(i) * all.real_mass(i);
+    bin.mean += all.real_mass(i) * before / bin.mass;
+    bin.squares += all.real_mass(i) * before.dot(particle.velocity - bin.mean);
   }
-  const double density = view.weight * static_cast<double>(sums.size()) / view.box.prod();
+  const double density = all.weight.unit * static_cast<double>(sums.size()) / view.box.prod();
   std::vector<double> values;
   values.reserve(sums.size() * (D + 2));
   for (const Sums& bin : sums) {
-    values.push_back(density * static_cast<double>(bin.count));
+    values.push_back(density * bin.count);
     values.insert(values.end(), bin.mean.data(), bin.mean.data() + D);
-    values.push_back(bin.count > 1 ? mass.unit * bin.squares / (D * (static_cast<double>(bin.count) - 1))
-                                   : 0);
+    const double freedom = D * (bin.count - bin.shared / bin.mass);
+    values.push_back(bin.particles > 1 ? all.mass_unit() * bin.squares / freedom : 0);
   }
   return values;
 }
 
 template <int D>
 std::vector<double> Fields<D>::measure(const View<D>& view) {
-  return with_masses(view, [&](const auto& mass) { return measure(view, mass); });
+  return with_population(view, [&](const auto& all) { return measure(view, all); });
 }
 
 template class Fields<2>;

@@ -16,8 +16,8 @@ class Fields final : public Observer<D> {
   std::vector<double> measure(const View<D>& view) override;
 
  private:
-  template <class Masses>
-  std::vector<double> measure(const View<D>& view, const Masses& mass) const;
+  template <class All>
+  std::vector<double> measure(const View<D>& view, const All& all) const;
 
   Lattice<D> bins_;
 };

@@ -18,13 +18,13 @@ struct Lattice {
     return product;
   }
 
-  /// `position` lies in the box, edges included.
+  /// What a moving wall has let out of the box belongs to the bin at the edge.
   std::size_t bin_of(const Vector<D>& position, const Vector<D>& box) const {
     std::size_t bin = 0;
     for (int axis = 0; axis < D; ++axis) {
       const std::size_t extent = extents[static_cast<std::size_t>(axis)];
-      const auto along = static_cast<std::size_t>(position[axis] / box[axis] * static_cast<double>(extent));
-      bin = bin * extent + std::min(along, extent - 1);
+      const double along = std::max(0.0, position[axis] / box[axis] * static_cast<double>(extent));
+      bin = bin * extent + static_cast<std::size_t>(std::min(along, static_cast<double>(extent - 1)));
     }
     return bin;
   }

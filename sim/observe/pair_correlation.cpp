@@ -35,6 +35,10 @@ void PairCorrelation<D>::start(const View<D>& view) {
   if (view.particles.size() < 2)
     throw InputError(
         "the observer 'pair-correlation' needs at least 2 particles; remove it, or add particles");
+  if (!view.columns.get(column::weight).empty())
+    throw InputError(
+        "the observer 'pair-correlation' counts particles, and here each stands for another number of real "
+        "ones; remove it");
   const double most = view.box.minCoeff() / 2;
   if (spec_.range[1] > most)
     throw InputError(

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/space/grid.hpp"
-#include "sim/space/particle_store.hpp"
+#include "sim/space/phase.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ class PairCells {
     return {position_.data() + first_[cell], position_.data() + first_[cell + 1]};
   }
 
-  /// Cells after `cell` around it, so that every two neighbours meet once.
+  /// Cells after `cell` around it, so that every two neighbours are paired once.
   std::vector<std::uint32_t> neighbours_after(std::uint32_t cell) const {
     std::array<int, D> here;
     std::uint32_t rest = cell;
@@ -101,7 +101,7 @@ class PairCells {
 template <int D, class Use>
 void for_each_pair(std::span<const Phase<D>> particles, const Vector<D>& box, double reach, Use use) {
   const PairCells<D> cells(particles, box, reach);
-  const auto meet = [&, limit = reach * reach](const Vector<D>& a, const Vector<D>& b) {
+  const auto look_at = [&, limit = reach * reach](const Vector<D>& a, const Vector<D>& b) {
     const double square = nearest_image<D>(a - b, box).squaredNorm();
     if (square < limit) use(square);
   };
@@ -109,10 +109,10 @@ void for_each_pair(std::span<const Phase<D>> particles, const Vector<D>& box, do
     const auto own = cells.members(cell);
     if (own.empty()) continue;
     for (std::size_t i = 0; i < own.size(); ++i)
-      for (std::size_t j = i + 1; j < own.size(); ++j) meet(own[i], own[j]);
+      for (std::size_t j = i + 1; j < own.size(); ++j) look_at(own[i], own[j]);
     for (std::uint32_t other : cells.neighbours_after(cell))
       for (const Vector<D>& theirs : cells.members(other))
-        for (const Vector<D>& ours : own) meet(ours, theirs);
+        for (const Vector<D>& ours : own) look_at(ours, theirs);
   }
 }
 

@@ -8,21 +8,18 @@ namespace sandglass {
 namespace {
 constexpr const char* kEnergyUnits = "mass length^2 time^-2";
 
-/// Sum of I w^2 over the simulated particles.
-template <int D>
-double twice_energy(const View<D>& view) {
-  if (view.species.empty())
-    return view.traits[0].inertia * sum_particles<1>(view, [&](const Phase<D>&, std::uint32_t i) {
-             return std::array{view.spins[i].squaredNorm()};
-           })[0];
-  return sum_particles<1>(view, [&](const Phase<D>&, std::uint32_t i) {
-    return std::array{view.traits[view.species[i]].inertia * view.spins[i].squaredNorm()};
-  })[0];
+/// Sum of I w^2 over the real particles, in their unit.
+template <int D, class All>
+double twice_energy(const View<D>& view, const All& all) {
+  const auto spins = view.columns.get(column::spin<D>);
+  return all.inertia_unit() * sum_particles<1>(view, [&](const Phase<D>&, std::uint32_t i) {
+           return std::array{all.weight(i) * all.inertia(i) * spins[i].squaredNorm()};
+         })[0];
 }
 
 template <int D>
 void require_spins(const View<D>& view) {
-  if (view.spins.empty() || view.traits.empty())
+  if (view.columns.get(column::spin<D>).empty())
     throw InputError(
         "the observer 'rotational-energy' needs particles that spin; give a species "
         "'tangential-restitution' or remove the observer");
@@ -41,7 +38,9 @@ void RotationalEnergy<D>::start(const View<D>& view) {
 
 template <int D>
 std::vector<double> RotationalEnergy<D>::measure(const View<D>& view) {
-  return {0.5 * view.weight * twice_energy(view)};
+  return with_population(view, [&view](const auto& all) {
+    return std::vector{0.5 * all.weight.unit * twice_energy(view, all)};
+  });
 }
 
 template <int D>
@@ -57,7 +56,9 @@ void RotationalTemperature<D>::start(const View<D>& view) {
 template <int D>
 std::vector<double> RotationalTemperature<D>::measure(const View<D>& view) {
   constexpr double freedom = Spin<D>::RowsAtCompileTime;
-  return {twice_energy(view) / (freedom * static_cast<double>(view.particles.size()))};
+  return with_population(view, [&view](const auto& all) {
+    return std::vector{twice_energy(view, all) / (freedom * all.count)};
+  });
 }
 
 template class RotationalEnergy<2>;

@@ -1,6 +1,7 @@
 #include "sim/observe/structure_factor.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/observe/population.hpp"
 
 #include <cmath>
 
@@ -60,10 +61,17 @@ void StructureFactor<D>::start(const View<D>& view) {
 template <int D>
 std::vector<double> StructureFactor<D>::measure(const View<D>& view) {
   std::vector<std::complex<double>> wave(lattice_.size());
-  for (const Phase<D>& particle : view.particles) wave[lattice_.bin_of(particle.position, view.box)] += 1;
+  const double squares = with_population(view, [&](const auto& all) {
+    double sum = 0;
+    for (std::uint32_t i = 0; i < view.particles.size(); ++i) {
+      wave[lattice_.bin_of(view.particles[i].position, view.box)] += all.weight(i);
+      sum += all.weight(i) * all.weight(i);
+    }
+    return sum;
+  });
   fourier_.forward(wave);
   std::vector<double> values = shells(wave, view.box);
-  for (double& value : values) value /= static_cast<double>(view.particles.size());
+  for (double& value : values) value /= squares;
   return values;
 }
 

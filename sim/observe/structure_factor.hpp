@@ -6,7 +6,7 @@
 
 namespace sandglass {
 
-/// Structure factor S(k) = <|sum_j exp(-i k.x_j)|^2> / N with every particle at the corner of its lattice cell (Müller
+/// Structure factor S(k) = <|sum_j w_j exp(-i k.x_j)|^2> / sum_j w_j^2 with every particle at the corner of its lattice cell (Müller
 /// 2001, section 3.2: fast Fourier transform of the density on a lattice of about one diameter), averaged over the wave
 /// vectors of a shell: |k| L / 2 pi nearest to 1, 2, ..., `bins`, L the longest edge of the box. Independent particles give
 /// 1 on any lattice; of structure on the scale of a lattice cell nothing is seen. Periodic along every axis.

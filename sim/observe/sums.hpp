@@ -1,9 +1,7 @@
 #pragma once
 
-#include "sim/base/exact_sum.hpp"
-#include "sim/observe/masses.hpp"
+#include "sim/observe/population.hpp"
 
-#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -33,47 +31,47 @@ std::array<double, K> sum_particles(const View<D>& view, Term term) {
 }
 
 /// Velocity of the centre of mass.
-template <int D, class Masses>
-Vector<D> mean_velocity(const View<D>& view, const Masses& mass) {
-  const auto sum = sum_particles<D>(view, [&mass](const Phase<D>& particle, std::uint32_t i) {
+template <int D, class All>
+Vector<D> mean_velocity(const View<D>& view, const All& all) {
+  const auto sum = sum_particles<D>(view, [&all](const Phase<D>& particle, std::uint32_t i) {
     std::array<double, D> momentum;
     for (int axis = 0; axis < D; ++axis)
-      momentum[static_cast<std::size_t>(axis)] = mass(i) * particle.velocity[axis];
+      momentum[static_cast<std::size_t>(axis)] = all.real_mass(i) * particle.velocity[axis];
     return momentum;
   });
   Vector<D> mean;
-  for (int axis = 0; axis < D; ++axis) mean[axis] = sum[static_cast<std::size_t>(axis)] / mass.total;
+  for (int axis = 0; axis < D; ++axis) mean[axis] = sum[static_cast<std::size_t>(axis)] / all.total_mass;
   return mean;
 }
 
 template <int D>
 Vector<D> mean_velocity(const View<D>& view) {
-  return with_masses(view, [&view](const auto& mass) { return mean_velocity(view, mass); });
+  return with_population(view, [&view](const auto& all) { return mean_velocity(view, all); });
 }
 
-template <int D, class Masses>
-Vector<D> temperatures(const View<D>& view, const Masses& mass) {
-  const Vector<D> mean = mean_velocity(view, mass);
+template <int D, class All>
+Vector<D> temperatures(const View<D>& view, const All& all) {
+  const Vector<D> mean = mean_velocity(view, all);
   const auto sum = sum_particles<D>(view, [&](const Phase<D>& particle, std::uint32_t i) {
     std::array<double, D> square;
     for (int axis = 0; axis < D; ++axis) {
       const double relative = particle.velocity[axis] - mean[axis];
-      square[static_cast<std::size_t>(axis)] = mass(i) * relative * relative;
+      square[static_cast<std::size_t>(axis)] = all.real_mass(i) * relative * relative;
     }
     return square;
   });
-  const double freedom = std::max(static_cast<double>(view.particles.size()) - 1, 1.0);
   Vector<D> temperature;
   for (int axis = 0; axis < D; ++axis)
-    temperature[axis] = mass.unit * sum[static_cast<std::size_t>(axis)] / freedom;
+    temperature[axis] = all.mass_unit() * sum[static_cast<std::size_t>(axis)] / all.freedom;
   return temperature;
 }
 
-/// Granular temperature <m C_i^2> along each axis, C relative to the velocity of the centre of mass, N - 1 degrees of
-/// freedom per axis: without bias for a mixture too, since sum m_i <C_i^2> = N T - T. One particle has temperature 0.
+/// Granular temperature <m C_i^2> of the real particles along each axis, C relative to the velocity of the centre of mass,
+/// with Population::freedom degrees of freedom: N - 1 of alike weights, without bias for a mixture too, since
+/// sum m_i <C_i^2> = N T - T. One particle has temperature 0.
 template <int D>
 Vector<D> temperatures(const View<D>& view) {
-  return with_masses(view, [&view](const auto& mass) { return temperatures(view, mass); });
+  return with_population(view, [&view](const auto& all) { return temperatures(view, all); });
 }
 
 }  // namespace sandglass

@@ -15,10 +15,12 @@ struct TestSystem {
   std::vector<Spin<D>> spins;
   std::vector<std::uint8_t> species;
   std::vector<SpeciesTraits> traits;
+  SpeciesTraits plain;
   Tally tally;
   std::vector<Plane> planes;
   Vector<D> box = Vector<D>::Constant(4);
-  double mass = 2, weight = 3, time = 0;
+  std::vector<double> weights;
+  double mass = 2, weight = 3, time = 0;  ///< the mass is that of particles without traits
 
   void add_cell(const std::vector<Phase<D>>& members) {
     particles.insert(particles.end(), members.begin(), members.end());
@@ -28,11 +30,12 @@ struct TestSystem {
     View<D> view;
     view.particles = particles;
     view.offsets = offsets;
-    view.spins = spins;
-    view.species = species;
-    view.traits = traits;
+    view.columns.add(column::spin<D>, spins);
+    view.columns.add(column::species, species);
+    view.columns.add(column::weight, weights);
+    plain.mass = mass;
+    view.traits = traits.empty() ? std::span<const SpeciesTraits>(&plain, 1) : traits;
     view.box = box;
-    view.mass = mass;
     view.weight = weight;
     view.time = time;
     view.tally = &tally;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "sim/base/columns.hpp"
+#include "sim/base/particle_columns.hpp"
 #include "sim/observe/plane.hpp"
 #include "sim/observe/tally.hpp"
-#include "sim/space/particle_store.hpp"
+#include "sim/space/phase.hpp"
 
 #include <span>
 #include <vector>
@@ -16,17 +18,19 @@ struct SpeciesTraits {
   double inertia = 0;  ///< moment of inertia
 };
 
+/// Of particles that nobody describes.
+inline constexpr SpeciesTraits kUnitTraits{};
+
 /// What an observer sees of a simulation at the end of a step.
 template <int D>
 struct View {
   std::span<const Phase<D>> particles;     ///< sorted by cell
   std::span<const std::uint32_t> offsets;  ///< first particle of each cell, and the end
-  std::span<const Spin<D>> spins;          ///< angular velocities; empty for smooth particles
-  std::span<const std::uint8_t> species;   ///< index into `traits`; empty when there is one species
-  std::span<const SpeciesTraits> traits;
+  ColumnViews columns;                     ///< whatever else the particles have
+  std::span<const SpeciesTraits> traits{&kUnitTraits,
+                                        1};  ///< of each species; one entry without a species column
   Vector<D> box = Vector<D>::Zero();
-  double mass = 1;    ///< of the first species
-  double weight = 1;  ///< real particles per simulated one
+  double weight = 1;  ///< real particles per simulated one, unless there is a weight column
   std::uint64_t step = 0;
   double time = 0;
   const Tally* tally = nullptr;

@@ -1,5 +1,7 @@
 #include "sim/record/describe.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -30,8 +32,13 @@ std::string series_lines(const Record& record) {
 
 std::string trajectory_line(const std::vector<Frame>& frames, int dimension) {
   if (frames.empty()) return "no trajectory\n";
-  return fmt::format("trajectory: {} frames of {} particles, time {} to {}\n", frames.size(),
-                     frames.front().position.size() / static_cast<std::size_t>(dimension),
+  std::size_t fewest = frames.front().particles(dimension), most = fewest;
+  for (const Frame& frame : frames) {
+    fewest = std::min(fewest, frame.particles(dimension));
+    most = std::max(most, frame.particles(dimension));
+  }
+  const std::string count = fewest == most ? std::to_string(most) : fmt::format("{} to {}", fewest, most);
+  return fmt::format("trajectory: {} frames of {} particles, time {} to {}\n", frames.size(), count,
                      frames.front().time, frames.back().time);
 }
 

@@ -18,7 +18,7 @@ TEST(DescribeRecord, SaysWhatIsInIt) {
   EXPECT_THAT(text, HasSubstr("commit abc+changes"));
   EXPECT_THAT(text, HasSubstr("box 10 x 20.5 (periodic, none), 2 replicas"));
   EXPECT_THAT(text, HasSubstr("velocity-histogram [2 x 3]: 4 samples"));
-  EXPECT_THAT(text, HasSubstr("trajectory: 3 frames of 3 particles"));
+  EXPECT_THAT(text, HasSubstr("trajectory: 3 frames of 3 to 5 particles"));
   EXPECT_THAT(text, HasSubstr("checkpoint: replica 3, step 77"));
   EXPECT_THAT(text, Not(HasSubstr("PLANTED")));
 }

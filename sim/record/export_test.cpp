@@ -51,7 +51,7 @@ TEST(Export, XyzHoldsEveryFrameExactly) {
     std::string line;
     std::getline(file, line);
     const std::size_t count = std::stoul(line);
-    ASSERT_EQ(count, frame.id.size());
+    ASSERT_EQ(count, frame.particles(2));
     std::getline(file, line);
     EXPECT_THAT(line, HasSubstr("Lattice=\"10 0 0 0 20.5 0 0 0 0.5\""));
     EXPECT_THAT(line, HasSubstr("pbc=\"T F F\""));
@@ -64,7 +64,7 @@ TEST(Export, XyzHoldsEveryFrameExactly) {
       EXPECT_EQ(v, frame.velocity[2 * particle + 1]);
       EXPECT_EQ(z + w, 0);
       EXPECT_EQ(radius, 0.25);
-      EXPECT_EQ(id, frame.id[particle]);
+      EXPECT_EQ(id, frame.columns.get(column::id)[particle]);
     }
     std::getline(file, line);
   }
@@ -80,6 +80,42 @@ TEST(Export, VtpWritesOneFilePerFrameAndAList) {
   EXPECT_THAT(frame, HasSubstr("NumberOfPoints=\"5\" NumberOfVerts=\"5\""));
   // Five diameters of 1: a length of 40 bytes, then 0x3ff0000000000000 five times.
   EXPECT_THAT(frame, HasSubstr("KAAAAAAAAAAAAAAAAADwPwAAAAAAAPA/AAAAAAAA8D8AAAAAAADwPwAAAAAAAPA/"));
+}
+
+Record record_with_columns() {
+  Record record = sample_record();
+  for (Frame& frame : record.trajectory)
+    for (std::size_t i = 0; i < frame.particles(2); ++i) {
+      frame.columns.append(column::species, static_cast<std::uint8_t>(i % 2));
+      frame.columns.append(column::spin<3>, Spin<3>(0.5, -1, 0));
+    }
+  return record;
+}
+
+TEST(Export, XyzAndVtpHoldEveryColumn) {
+  const ScratchFolder folder;
+  export_record(record_with_columns(), "xyz", folder / "run.xyz");
+  EXPECT_THAT(contents(folder / "run.xyz"), HasSubstr(":radius:R:1:id:I:1:species_index:I:1:spin:R:3 "));
+  EXPECT_THAT(contents(folder / "run.xyz"), HasSubstr(" 0.5 101 1 0.5 -1 0\n"));
+  export_record(record_with_columns(), "vtp", folder / "run.pvd");
+  const std::string frame = contents(folder / "run-000000.vtp");
+  EXPECT_THAT(frame, HasSubstr("\"UInt64\" Name=\"id\" NumberOfComponents=\"1\""));
+  // Three species 0, 1, 0: a length of 3 bytes, then the bytes.
+  EXPECT_THAT(frame, HasSubstr("\"UInt8\" Name=\"species\" NumberOfComponents=\"1\" "
+                               "format=\"binary\">AwAAAAAAAAAAAQA="));
+  EXPECT_THAT(frame, HasSubstr("\"Float64\" Name=\"spin\" NumberOfComponents=\"3\""));
+}
+
+TEST(Export, MdanalysisTakesIdsAlone) {
+  const ScratchFolder folder;
+  Record record = record_with_columns();
+  record.trajectory.resize(1);
+  const auto paths = export_record(record, "mdanalysis", folder / "run");
+  const hdf5::Session session;
+  const hdf5::Handle file = hdf5::open_file(paths.front());
+  const hdf5::Reader root(hdf5::Handle(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose), "/");
+  EXPECT_EQ(root.group("particles").group("trajectory").names(),
+            (std::vector<std::string>{"box", "count", "id", "position", "velocity"}));
 }
 
 TEST(Export, MdanalysisIsPaddedToThreeDimensions) {

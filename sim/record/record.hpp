@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/base/columns.hpp"
+#include "sim/base/particle_columns.hpp"
 #include "sim/base/series.hpp"
 
 #include <cstdint>
@@ -19,15 +21,16 @@ struct Provenance {
   std::string mutation;  ///< planted fault of the mutant suite; empty in every honest run
 };
 
-/// Positions and velocities at one instant: position[particle][axis], row major. `id` is empty unless the
-/// scene keeps ids, `spin` unless contacts are rough: angular velocities, one a disk and three a sphere.
+/// The particles at one instant: position[particle][axis], row major, and the columns that the method keeps
+/// beside them (sim/base/particle_columns.hpp).
 struct Frame {
   std::uint64_t step = 0;
   double time = 0;
   std::vector<double> position;
   std::vector<double> velocity;
-  std::vector<std::uint64_t> id;
-  std::vector<double> spin = {};
+  Columns columns = {};
+
+  std::size_t particles(int dimension) const { return position.size() / static_cast<std::size_t>(dimension); }
 };
 
 /// All samples of one replica, in the order of the scene's observers.

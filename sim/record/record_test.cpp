@@ -1,10 +1,13 @@
 #include "sim/record/record.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/record/hdf5/file.hpp"
+#include "sim/record/hdf5/writer.hpp"
 #include "sim/record/sample.hpp"
 #include "sim/record/scratch.hpp"
 
 #include <cstring>
+#include <limits>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -46,8 +49,17 @@ void expect_same(const Frame& one, const Frame& other) {
   EXPECT_EQ(one.time, other.time);
   expect_same_bits(one.position, other.position);
   expect_same_bits(one.velocity, other.velocity);
-  expect_same_bits(one.id, other.id);
-  expect_same_bits(one.spin, other.spin);
+  ASSERT_EQ(one.columns.all().size(), other.columns.all().size());
+  for (const NamedColumn& column : one.columns.all()) {
+    const NamedColumn* found = other.columns.find(column.info);
+    ASSERT_NE(found, nullptr) << column.info.name;
+    EXPECT_EQ(found->info.units, column.info.units);
+    std::visit(
+        [&]<class T>(const std::vector<T>& values) {
+          expect_same_bits(values, std::get<std::vector<T>>(found->numbers));
+        },
+        column.numbers);
+  }
 }
 
 void expect_same(const State& one, const State& other) {
@@ -123,16 +135,82 @@ TEST(Record, ComesBackWhenNearlyEmpty) {
 }
 
 TEST(Record, HoldsSpinsOfDisksAndSpheres) {
-  for (const std::size_t components : {1u, 3u}) {
-    Record record = sample_record();
-    for (Frame& frame : record.trajectory)
-      for (std::size_t i = 0; i < components * frame.id.size(); ++i)
-        frame.spin.push_back(0.1 * static_cast<double>(i) - 0.3);
-    expect_round_trip(record);
-    record.trajectory.back().spin.pop_back();
-    const ScratchFolder folder;
-    EXPECT_THROW(write_record(folder / "run.h5", record), RunError);
+  Record disks = sample_record(), spheres = sample_record();
+  for (std::size_t frame = 0; frame < disks.trajectory.size(); ++frame)
+    for (std::size_t i = 0; i < disks.trajectory[frame].particles(2); ++i) {
+      const double turn = 0.1 * static_cast<double>(i) - 0.3;
+      disks.trajectory[frame].columns.append(column::spin<2>, Spin<2>(turn));
+      spheres.trajectory[frame].columns.append(column::spin<3>, Spin<3>(turn, 1 / turn, 0));
+    }
+  expect_round_trip(disks);
+  expect_round_trip(spheres);
+}
+
+/// Before schema 1.2 columns had no units.
+TEST(Record, OfSchema11IsRead) {
+  const ScratchFolder folder;
+  Record record = sample_record();
+  for (Frame& frame : record.trajectory)
+    for (std::size_t i = 0; i < frame.particles(2); ++i) frame.columns.append(column::spin<2>, Spin<2>(0.5));
+  write_record(folder / "run.h5", record);
+  {
+    const hdf5::Session session;
+    const hdf5::Handle file(H5Fopen((folder / "run.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    for (const char* place : {"particles/all/id", "particles/all/spin"})
+      hdf5::require(H5Adelete_by_name(file, place, "units", H5P_DEFAULT));
+    hdf5::Handle group(H5Gopen2(file, "sandglass", H5P_DEFAULT), H5Gclose);
+    hdf5::require(H5Adelete(group, "schema"));
+    hdf5::Writer(std::move(group)).attribute("schema", std::vector<int>{1, 1});
   }
+  const Record back = read_record(folder / "run.h5");
+  EXPECT_EQ(back.trajectory[1].columns.get(column::spin<2>)[4], Spin<2>(0.5));
+  EXPECT_EQ(back.trajectory[1].columns.get(column::id)[4], 104u);
+}
+
+/// H5MD readers know from the fill value which places hold no particle.
+TEST(Record, NamesTheValueOfPlacesWithoutAParticle) {
+  const ScratchFolder folder;
+  write_record(folder / "run.h5", sample_record());
+  const hdf5::Session session;
+  const hdf5::Handle file(H5Fopen((folder / "run.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const hdf5::Handle ids(H5Dopen2(file, "particles/all/id/value", H5P_DEFAULT), H5Dclose);
+  const hdf5::Handle properties(H5Dget_create_plist(ids), H5Pclose);
+  std::uint64_t absent = 0, values[3][5];
+  hdf5::require(H5Pget_fill_value(properties, H5T_NATIVE_UINT64, &absent));
+  EXPECT_EQ(absent, std::numeric_limits<std::uint64_t>::max());
+  hdf5::require(H5Dread(ids, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+  EXPECT_EQ(values[0][2], 102u);
+  EXPECT_EQ(values[0][3], absent);
+}
+
+/// Nobody has declared it but this test.
+constexpr ColumnKey<Vector<2>> kMadeUp{"made-up / 100%", "length"};
+
+TEST(Record, HoldsAColumnThatTheRoomDoesNotKnow) {
+  Record record = sample_record();
+  record.trajectory.push_back({900, 90, {}, {}});  // a frame without particles needs no columns
+  for (Frame& frame : record.trajectory)
+    for (std::size_t i = 0; i < frame.particles(2); ++i) {
+      frame.columns.append(kMadeUp, Vector<2>(0.1 * static_cast<double>(i), -1));
+      frame.columns.append(column::species, static_cast<std::uint8_t>(i % 3));
+    }
+  const ScratchFolder folder;
+  write_record(folder / "run.h5", record);
+  const Record back = read_record(folder / "run.h5");
+  for (std::size_t frame = 0; frame + 1 < record.trajectory.size(); ++frame)
+    expect_same(back.trajectory[frame], record.trajectory[frame]);
+  EXPECT_EQ(back.trajectory.back().particles(2), 0u);
+  EXPECT_EQ(back.trajectory[1].columns.get(kMadeUp)[4], Vector<2>(0.4, -1));
+  EXPECT_EQ(back.trajectory[1].columns.get(column::species)[4], 1);
+}
+
+TEST(Record, RefusesAColumnThatOnlySomeFramesOrParticlesHave) {
+  const ScratchFolder folder;
+  Record record = sample_record();
+  record.trajectory.back().columns.append(column::id, std::uint64_t{1});
+  EXPECT_THROW(write_record(folder / "run.h5", record), RunError);
+  record.trajectory.back().columns.remove("id");
+  EXPECT_THROW(write_record(folder / "run.h5", record), RunError);
 }
 
 TEST(Record, HoldsAxesAndSeriesLargerThanAnAttributeOrAChunk) {

@@ -20,12 +20,12 @@ inline Series sample_series(const Quantity& quantity, std::size_t samples) {
 }
 
 inline Frame sample_frame(std::uint64_t step, std::size_t particles, std::size_t dimension) {
-  Frame frame{step, 0.1 * static_cast<double>(step), {}, {}, {}};
+  Frame frame{step, 0.1 * static_cast<double>(step), {}, {}};
   for (std::size_t index = 0; index < particles * dimension; ++index) {
     frame.position.push_back(0.25 + static_cast<double>(index));
     frame.velocity.push_back(1.0 / (3.0 + static_cast<double>(index)));
   }
-  for (std::size_t index = 0; index < particles; ++index) frame.id.push_back(100 + index);
+  for (std::size_t index = 0; index < particles; ++index) frame.columns.append(column::id, 100 + index);
   return frame;
 }
 

@@ -40,7 +40,7 @@ void collide(Simulator<D>& gas, const Setup<D>& setup, double wanted) {
 template <int D>
 void equilibrate(Particles<D>& particles, const Setup<D>& setup, const Streams& streams) {
   const auto gas = setup.method->build_elastic(streams);
-  gas->assign({particles.phases, {}, particles.species, {}});
+  gas->assign(particles);
   const double count = static_cast<double>(particles.phases.size());
   collide(*gas, setup, setup.scene.initial.equilibrate_collisions * count / 2);
   const auto after = gas->view().particles;

@@ -17,11 +17,12 @@ Particles<D> given_particles(const Scene& scene) {
   for (const GivenParticle& given : scene.given) {
     particles.phases.push_back({Eigen::Map<const Vector<D>>(given.position.data()),
                                 Eigen::Map<const Vector<D>>(given.velocity.data())});
-    if (scene.species.size() > 1) particles.species.push_back(static_cast<std::uint8_t>(given.species));
+    if (scene.species.size() > 1)
+      particles.columns.append(column::species, static_cast<std::uint8_t>(given.species));
     if (!is_rough(scene)) continue;
     const bool turns = !given.spin.empty();
-    particles.spins.push_back(turns ? Spin<D>(Eigen::Map<const Spin<D>>(given.spin.data()))
-                                    : Spin<D>(Spin<D>::Zero()));
+    particles.columns.append(column::spin<D>, turns ? Spin<D>(Eigen::Map<const Spin<D>>(given.spin.data()))
+                                                    : Spin<D>(Spin<D>::Zero()));
   }
   return particles;
 }
@@ -46,8 +47,9 @@ Particles<D> initial_particles(const Setup<D>& setup, const Streams& streams) {
   if (setup.particles == 0) return {};
   if (!scene.given.empty()) return given_particles<D>(scene);
   Particles<D> particles;
-  particles.species = shuffled_species(scene, streams);
-  particles.phases = place<D>(scene, setup.particles, streams, particles.species);
+  const std::vector<std::uint8_t> species = shuffled_species(scene, streams);
+  if (!species.empty()) particles.columns.set(column::species, species);
+  particles.phases = place<D>(scene, setup.particles, streams, species);
   draw_velocities(particles, scene, streams);
   if (is_rough(scene)) draw_spins(particles, scene, streams);
   if (scene.initial.equilibrate_collisions > 0) equilibrate(particles, setup, streams);

@@ -32,9 +32,10 @@ template <int D>
 void expect_exact(const Scene& scene, const Particles<D>& particles, double temperature) {
   Vector<D> momentum = Vector<D>::Zero();
   double energy = 0;
+  const auto species = particles.columns.get(column::species);
   const std::size_t count = particles.phases.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const double mass = scene.species[particles.species[i]].mass;
+    const double mass = scene.species[species[i]].mass;
     momentum += mass * particles.phases[i].velocity;
     energy += mass * particles.phases[i].velocity.squaredNorm();
   }
@@ -52,9 +53,10 @@ TEST(InitialHard, AMixtureHasItsMomentumAndTemperatureExactly) {
 TEST(InitialHard, SpeciesShareTheTemperatureAndKeepTheirNumbers) {
   Scene scene = mixture({400, 400}, 20'000, 10'000);
   const Particles<2> particles = start<2>(scene);
+  const auto species = particles.columns.get(column::species);
   std::array<double, 2> count{}, square{}, left{};
   for (std::size_t i = 0; i < particles.phases.size(); ++i) {
-    const std::size_t kind = particles.species[i];
+    const std::size_t kind = species[i];
     ++count[kind];
     square[kind] += scene.species[kind].mass * particles.phases[i].velocity.squaredNorm();
     left[kind] += particles.phases[i].position[1] < 200;
@@ -66,22 +68,24 @@ TEST(InitialHard, SpeciesShareTheTemperatureAndKeepTheirNumbers) {
     EXPECT_NEAR(left[kind], count[kind] / 2, 4.5 * std::sqrt(count[kind]) / 2);
   }
   EXPECT_NE(shuffled_species(scene, {1, 0}), shuffled_species(scene, {1, 1}));
-  EXPECT_EQ(particles.species, shuffled_species(scene, {scene.run.seed, 0}));
+  EXPECT_TRUE(std::ranges::equal(species, shuffled_species(scene, {scene.run.seed, 0})));
 }
 
 /// I <w^2> / degrees of freedom; I = q m d^2 / 4.
 template <int D>
 double spin_temperature(const Scene& scene, const Particles<D>& particles, double& fourth) {
   constexpr int kFree = D == 2 ? 1 : 3;
+  const auto species = particles.columns.get(column::species);
+  const auto spins = particles.columns.get(column::spin<D>);
   double square = 0;
   fourth = 0;
-  for (std::size_t i = 0; i < particles.spins.size(); ++i) {
-    const Species& kind = scene.species[particles.species[i]];
+  for (std::size_t i = 0; i < spins.size(); ++i) {
+    const Species& kind = scene.species[species[i]];
     const double inertia = (D == 2 ? 0.5 : 0.4) * kind.mass * kind.diameter * kind.diameter / 4;
-    square += inertia * particles.spins[i].squaredNorm();
-    fourth += inertia * inertia * particles.spins[i].array().pow(4).sum();
+    square += inertia * spins[i].squaredNorm();
+    fourth += inertia * inertia * spins[i].array().pow(4).sum();
   }
-  const double all = kFree * static_cast<double>(particles.spins.size());
+  const double all = kFree * static_cast<double>(spins.size());
   fourth /= all * std::pow(square / all, 2);
   return square / all;
 }
@@ -89,12 +93,13 @@ double spin_temperature(const Scene& scene, const Particles<D>& particles, doubl
 template <int D>
 void expect_spins(Scene scene) {
   double fourth = 0;
-  for (const Spin<D>& spin : start<D>(scene).spins) ASSERT_TRUE(spin.isZero(0));
+  const Particles<D> cold = start<D>(scene);
+  for (const Spin<D>& spin : cold.columns.get(column::spin<D>)) ASSERT_TRUE(spin.isZero(0));
   scene.initial.spin_temperature = 1.3;
   const Particles<D> exact = start<D>(scene);
-  ASSERT_EQ(exact.spins.size(), exact.phases.size());
+  ASSERT_EQ(exact.columns.get(column::spin<D>).size(), exact.phases.size());
   EXPECT_NEAR(spin_temperature(scene, exact, fourth), 1.3, 1e-12);
-  const double all = static_cast<double>(exact.spins.size() * (D == 2 ? 1 : 3));
+  const double all = static_cast<double>(exact.phases.size() * (D == 2 ? 1 : 3));
   EXPECT_NEAR(fourth, 3, 4.5 * std::sqrt(24 / all));
   scene.initial.exact = false;
   EXPECT_NEAR(spin_temperature(scene, start<D>(scene), fourth), 1.3, 4.5 * 1.3 * std::sqrt(2 / all));
@@ -108,9 +113,7 @@ TEST(InitialHard, SpinsAreNormalAtTheirTemperature) {
 
 TEST(InitialHard, SmoothParticlesOfOneSpeciesHaveNoSpinsAndNoSpeciesColumn) {
   const Particles<2> particles = start<2>(hard_scene({20, 20}, 100));
-  EXPECT_TRUE(particles.spins.empty());
-  EXPECT_TRUE(particles.species.empty());
-  EXPECT_TRUE(particles.ids.empty());
+  EXPECT_TRUE(particles.columns.all().empty());
 }
 
 TEST(InitialHard, VelocitiesAreThoseOfTheOtherMethods) {
@@ -140,8 +143,7 @@ TEST(InitialHard, GivenParticlesAreTakenAsTheyAre) {
     ASSERT_EQ(particles.phases.size(), 2u);
     EXPECT_EQ(particles.phases[0].position, Vector<2>(1.0 / 3, 2));
     EXPECT_EQ(particles.phases[1].velocity, Vector<2>(1e-300, 3));
-    EXPECT_TRUE(particles.spins.empty());
-    EXPECT_TRUE(particles.species.empty());
+    EXPECT_TRUE(particles.columns.all().empty());
   }
 }
 
@@ -149,9 +151,10 @@ TEST(InitialHard, GivenParticlesKeepSpinAndSpecies) {
   Scene scene = mixture({9, 9, 9}, 1, 1);
   scene.given = {{{1, 2, 3}, {0, 0, 1}, {0.1, 0.2, 0.3}, 1}, {{5, 5, 5}, {0, 0, 0}, {}, 0}};
   const Particles<3> particles = start<3>(scene);
-  EXPECT_EQ(particles.species, (std::vector<std::uint8_t>{1, 0}));
-  EXPECT_EQ(particles.spins[0], Spin<3>(0.1, 0.2, 0.3));
-  EXPECT_TRUE(particles.spins[1].isZero(0));
+  const auto spins = particles.columns.get(column::spin<3>);
+  EXPECT_TRUE(std::ranges::equal(particles.columns.get(column::species), std::vector<std::uint8_t>{1, 0}));
+  EXPECT_EQ(spins[0], Spin<3>(0.1, 0.2, 0.3));
+  EXPECT_TRUE(spins[1].isZero(0));
 }
 
 }  // namespace

@@ -11,10 +11,18 @@ namespace sandglass {
 
 namespace {
 
-template <int D>
-const Species& kind_of(const Particles<D>& particles, const Scene& scene, std::size_t i) {
-  return scene.species[particles.species.empty() ? 0 : particles.species[i]];
-}
+/// The species of each particle.
+class Kinds {
+ public:
+  template <int D>
+  Kinds(const Scene& scene, const Particles<D>& particles)
+      : species_(scene.species), of_(particles.columns.get(column::species)) {}
+  const Species& operator[](std::size_t i) const { return species_[of_.empty() ? 0 : of_[i]]; }
+
+ private:
+  const std::vector<Species>& species_;
+  std::span<const std::uint8_t> of_;
+};
 
 /// Masses count in units of the first species' mass.
 template <int D>
@@ -24,9 +32,8 @@ void make_exact(Particles<D>& particles, const Scene& scene, double thermal) {
     throw InputError(
         "'initial.exact' cannot serve a single particle, whose mean velocity is its own; use exact = "
         "false");
-  const auto weight = [&](std::size_t i) {
-    return kind_of(particles, scene, i).mass / scene.species.front().mass;
-  };
+  const Kinds kinds(scene, particles);
+  const auto weight = [&](std::size_t i) { return kinds[i].mass / scene.species.front().mass; };
   double total = 0;
   for (std::size_t i = 0; i < count; ++i) total += weight(i);
   Vector<D> mean = Vector<D>::Zero();
@@ -46,10 +53,10 @@ template <int D>
 void draw_velocities(Particles<D>& particles, const Scene& scene, const Streams& streams) {
   const StreamKey key(streams.seed, Purpose::velocities, streams.replica, 0);
   const double temperature = scene.initial.temperature;
+  const Kinds kinds(scene, particles);
   for (std::size_t i = 0; i < particles.phases.size(); ++i) {
     Random random(key, i);
-    boost::random::normal_distribution<double> normal(
-        0, std::sqrt(temperature / kind_of(particles, scene, i).mass));
+    boost::random::normal_distribution<double> normal(0, std::sqrt(temperature / kinds[i].mass));
     for (int axis = 0; axis < D; ++axis) particles.phases[i].velocity[axis] = normal(random);
   }
   if (scene.initial.exact && temperature > 0)
@@ -60,22 +67,24 @@ template <int D>
 void draw_spins(Particles<D>& particles, const Scene& scene, const Streams& streams) {
   const std::size_t count = particles.phases.size();
   const double temperature = scene.initial.spin_temperature;
-  particles.spins.assign(count, Spin<D>::Zero());
+  particles.columns.set(column::spin<D>, std::vector<Spin<D>>(count, Spin<D>::Zero()));
   if (!(temperature > 0)) return;
   const StreamKey key(streams.seed, Purpose::spins, streams.replica, 0);
+  const Kinds kinds(scene, particles);
+  const auto spins = particles.columns.edit(column::spin<D>);
   constexpr int kComponents = Spin<D>::SizeAtCompileTime;
   double energy = 0;  // twice the mean per degree of freedom
   for (std::size_t i = 0; i < count; ++i) {
-    const Species& kind = kind_of(particles, scene, i);
+    const Species& kind = kinds[i];
     const double inertia =
         inertia_factor(kind, scene.domain.dimension) * kind.mass * kind.diameter * kind.diameter / 4;
     Random random(key, i);
     boost::random::normal_distribution<double> normal(0, std::sqrt(temperature / inertia));
-    for (int axis = 0; axis < kComponents; ++axis) particles.spins[i][axis] = normal(random);
-    energy += inertia * particles.spins[i].squaredNorm() / (kComponents * static_cast<double>(count));
+    for (int axis = 0; axis < kComponents; ++axis) spins[i][axis] = normal(random);
+    energy += inertia * spins[i].squaredNorm() / (kComponents * static_cast<double>(count));
   }
   if (!scene.initial.exact) return;
-  for (Spin<D>& spin : particles.spins) spin *= std::sqrt(temperature / energy);
+  for (Spin<D>& spin : spins) spin *= std::sqrt(temperature / energy);
 }
 
 template void draw_velocities(Particles<2>&, const Scene&, const Streams&);

@@ -1,6 +1,7 @@
 #include "sim/run/replica.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/run/frame.hpp"
 #include "sim/run/initial.hpp"
 
 #include <algorithm>
@@ -41,10 +42,12 @@ ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const S
     plane += needs_of(setup.observers[i]).plane ? 1 : 0;
   }
   if (scene_.output.trajectory && streams.replica == 0) frames_.emplace(*scene_.output.trajectory);
-  if (state != nullptr)
-    load(*state);
-  else
-    start();
+  try {
+    state == nullptr ? start() : load(*state);
+  } catch (const std::out_of_range&) {
+    throw InputError(
+        "the checkpoint lacks part of the state, as one of another version does; run its scene again");
+  }
 }
 
 template <int D>
@@ -55,7 +58,7 @@ void ReplicaRun<D>::start() {
     watch.observer->start(view());
     if (watch.observer->measures_at_start()) sample(watch);
   }
-  if (frames_) trajectory_.push_back(frame());
+  if (frames_) trajectory_.push_back(frame_of(view()));
 }
 
 template <int D>
@@ -73,7 +76,7 @@ template <int D>
 void ReplicaRun<D>::sample_what_is_due() {
   for (Watch& watch : watches_)
     if (watch.schedule.due(clock_)) sample(watch);
-  if (frames_ && frames_->due(clock_)) trajectory_.push_back(frame());
+  if (frames_ && frames_->due(clock_)) trajectory_.push_back(frame_of(view()));
 }
 
 template <int D>
@@ -107,21 +110,6 @@ void ReplicaRun<D>::sample(Watch& watch) {
 }
 
 template <int D>
-Frame ReplicaRun<D>::frame() {
-  const View<D> now = view();
-  Frame frame{clock_.step, clock_.time, {}, {}, {simulator_->ids().begin(), simulator_->ids().end()}};
-  frame.position.reserve(D * now.particles.size());
-  frame.velocity.reserve(D * now.particles.size());
-  for (const Phase<D>& particle : now.particles) {
-    frame.position.insert(frame.position.end(), particle.position.data(), particle.position.data() + D);
-    frame.velocity.insert(frame.velocity.end(), particle.velocity.data(), particle.velocity.data() + D);
-  }
-  for (const Spin<D>& spin : now.spins)
-    frame.spin.insert(frame.spin.end(), spin.data(), spin.data() + spin.size());
-  return frame;
-}
-
-template <int D>
 std::map<std::string, double> ReplicaRun<D>::counters() {
   const Tally& tally = simulator_->tally();
   std::map<std::string, double> counters = simulator_->counters();
@@ -134,8 +122,7 @@ std::map<std::string, double> ReplicaRun<D>::counters() {
 
 template <int D>
 State ReplicaRun<D>::save() {
-  State state{clock_.step, clock_.time, frame(), {}, counters(), simulator_->save()};
-  state.particles.spin.clear();  // the method's memory holds them
+  State state{clock_.step, clock_.time, frame_of(view()), {}, counters(), simulator_->save()};
   simulator_->tally().save(state.memory);
   state.memory["time-step"] = stepper_.save();
   state.memory["collisions"] = collisions_.save();
@@ -151,12 +138,7 @@ State ReplicaRun<D>::save() {
 
 template <int D>
 void ReplicaRun<D>::load(const State& state) {
-  std::vector<Phase<D>> particles(state.particles.position.size() / D);
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    particles[i].position = Eigen::Map<const Vector<D>>(&state.particles.position[D * i]);
-    particles[i].velocity = Eigen::Map<const Vector<D>>(&state.particles.velocity[D * i]);
-  }
-  simulator_->assign({std::move(particles), {}, {}, state.particles.id});
+  simulator_->assign(particles_of<D>(state.particles));
   simulator_->load(state.memory);
   simulator_->tally().load(state.memory);
   stepper_.load(state.memory.at("time-step"));

@@ -42,7 +42,6 @@ class ReplicaRun {
   void start();
   void load(const State& state);
   View<D> view();
-  Frame frame();
   void sample(Watch& watch);
   void sample_what_is_due();
   void refuse_standstill() const;

@@ -26,7 +26,7 @@ class Grid {
   }
   double cell_volume() const { return box_.prod() / size(); }
 
-  /// `position` lies in the box, edges included; the far edge belongs to the last cell.
+  /// The far edge belongs to the last cell; what a moving wall has let out of the box, to the cell at the edge.
   std::uint32_t cell_of(const Vector<D>& position) const {
     std::uint32_t cell = coordinate(position, D - 1);
     for (int axis = D - 2; axis >= 0; --axis) cell = cell * cells_[index(axis)] + coordinate(position, axis);
@@ -36,8 +36,8 @@ class Grid {
  private:
   static std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
   std::uint32_t coordinate(const Vector<D>& position, int axis) const {
-    const auto coordinate = static_cast<std::int32_t>(position[axis] * per_length_[axis]);
-    return std::min(static_cast<std::uint32_t>(coordinate), cells_[index(axis)] - 1);
+    const double coordinate = std::max(0.0, position[axis] * per_length_[axis]);
+    return static_cast<std::uint32_t>(std::min(coordinate, static_cast<double>(cells_[index(axis)] - 1)));
   }
 
   Vector<D> box_, per_length_;

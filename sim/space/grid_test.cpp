@@ -105,5 +105,19 @@ TEST(Lanes, StoreWritesNoMoreThanTheVector) {
   EXPECT_EQ(memory[4], 5);
 }
 
+/// Every coordinate by itself is taken to the nearest edge.
+TEST(Grid, TakesWhatIsOutsideToTheCellAtTheEdge) {
+  const Grid<3> grid = odd_grid<3>();
+  const Vector<3> inside = 0.4 * grid.box();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double beyond : {1e-300, 0.1, 1e30}) {
+      Vector<3> edge = inside, point = inside;
+      edge[axis] = 0, point[axis] = -beyond;
+      EXPECT_EQ(grid.cell_of(point), grid.cell_of(edge));
+      edge[axis] = grid.box()[axis], point[axis] = edge[axis] + beyond;
+      EXPECT_EQ(grid.cell_of(point), grid.cell_of(edge));
+    }
+}
+
 }  // namespace
 }  // namespace sandglass

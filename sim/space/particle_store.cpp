@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -9,65 +10,124 @@
 namespace sandglass {
 
 namespace {
-/// Every address is known beforehand: the line of a particle this far ahead is on its way while others are copied.
-constexpr std::size_t kAhead = 12;
+void require_one_value_each(const Columns& columns, std::size_t particles) {
+  for (const NamedColumn& column : columns.all())
+    if (column.particles() != particles)
+      throw InputError("the particle column '" + column.info.name + "' holds " +
+                       std::to_string(column.particles()) + " values for " + std::to_string(particles) +
+                       " particles");
+}
 
-template <class T, class Place>
-void scatter(const Column<T>& from, const Column<Place>& places, const std::uint32_t* begin, Column<T>& to) {
-  const T* source = from.data();
-  const Place* place = places.data();
-  T* target = to.data();
-  const auto slot = [begin, place](std::size_t i) { return begin[place[i].cell] + place[i].rank; };
-  const std::size_t count = from.size(), ahead = count > kAhead ? count - kAhead : 0;
-  for (std::size_t i = 0; i < ahead; ++i) {
-    __builtin_prefetch(target + slot(i + kAhead), 1);
-    target[slot(i)] = source[i];
-  }
-  for (std::size_t i = ahead; i < count; ++i) target[slot(i)] = source[i];
+void require_room(std::size_t particles) {
+  if (particles > std::numeric_limits<std::uint32_t>::max())
+    throw InputError("a run holds at most 4294967295 particles, got " + std::to_string(particles));
 }
 }  // namespace
 
 template <int D>
+ParticleStore<D>::ParticleStore(const Grid<D>& grid, const std::vector<ColumnInfo>& columns)
+    : grid_(grid), offset_(grid.size() + 2), arrival_(grid.size() + 2) {
+  for (const ColumnInfo& info : columns) columns_.push_back(make_stored_column(info));
+}
+
+template <int D>
+ColumnViews ParticleStore<D>::columns() const {
+  ColumnViews views;
+  for (const auto& column : columns_) views.add(column->view());
+  return views;
+}
+
+template <int D>
 void ParticleStore<D>::sort() {
+  for (const Particles<D>& particles : inserted_) append(particles);
+  inserted_.clear();
   // arrival_[c + 1] counts cell c; after the sum, arrival_[c] is where cell c begins.
   std::inclusive_scan(arrival_.begin(), arrival_.end(), arrival_.begin());
   scatter(phase_, place_, arrival_.data(), next_phase_);
   phase_.swap(next_phase_);
-  if (keep_ids_) {
-    scatter(id_, place_, arrival_.data(), next_id_);
-    id_.swap(next_id_);
-  }
+  for (const auto& column : columns_) column->sort(place_, arrival_.data());
   offset_.swap(arrival_);
+  if (offset_[removed()] < size()) resize(offset_[removed()]);
 }
 
 template <int D>
-void ParticleStore<D>::assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids) {
-  if (particles.size() > std::numeric_limits<std::uint32_t>::max())
-    throw InputError("a run holds at most 4294967295 particles, got " + std::to_string(particles.size()));
-  phase_.assign(particles.begin(), particles.end());
-  next_phase_.resize(particles.size());
-  place_.resize(particles.size());
-  if (keep_ids_) {
-    id_.resize(particles.size());
-    next_id_.resize(particles.size());
-    if (ids.empty())
-      std::iota(id_.begin(), id_.end(), std::uint64_t{0});
-    else
-      id_.assign(ids.begin(), ids.end());
-  }
+void ParticleStore<D>::stay(std::span<const std::uint32_t> leaving) {
+  std::vector<bool> leaves(size());
+  for (const std::uint32_t place : leaving) leaves.at(place) = true;
   begin_step();
-  for (std::size_t i = 0; i < particles.size(); ++i) {
+  for (std::uint32_t cell = 0; cell < grid_.size(); ++cell)
+    for (std::uint32_t i = offset_[cell]; i < offset_[cell + 1]; ++i) {
+      const std::uint32_t arrives = leaves[i] ? removed() : cell;
+      place_[i] = {arrives, arrivals()[arrives]++};
+    }
+}
+
+template <int D>
+void ParticleStore<D>::insert(const Particles<D>& particles) {
+  require_one_value_each(particles.columns, particles.phases.size());
+  require_room(size() + particles.phases.size());
+  inserted_.push_back(particles);
+  inserted_.back().columns.remove(column::id.name);
+}
+
+template <int D>
+void ParticleStore<D>::append(const Particles<D>& particles) {
+  const std::size_t first = size();
+  resize(first + particles.phases.size());
+  std::copy(particles.phases.begin(), particles.phases.end(),
+            phase_.begin() + static_cast<std::ptrdiff_t>(first));
+  for (const auto& column : columns_) fill(*column, first, particles);
+  for (std::size_t i = first; i < size(); ++i) {
     const std::uint32_t cell = grid_.cell_of(phase_[i].position);
     place_[i] = {cell, arrivals()[cell]++};
   }
+}
+
+template <int D>
+void ParticleStore<D>::fill(StoredColumn& column, std::size_t first, const Particles<D>& particles) {
+  const ColumnInfo info = column.view().info;
+  if (const NamedColumn* given = particles.columns.find(info))
+    column.write(first, given->view());
+  else if (info.fits(column::id))
+    fill_ids(column, first, particles.phases.size());
+}
+
+template <int D>
+void ParticleStore<D>::fill_ids(StoredColumn& column, std::size_t first, std::size_t count) {
+  std::vector<std::uint64_t> ids(count);
+  std::iota(ids.begin(), ids.end(), next_id_);
+  column.write(first, {column::id, ids.data(), count});
+  next_id_ += count;
+}
+
+template <int D>
+void ParticleStore<D>::assign(const Particles<D>& particles) {
+  require_room(particles.phases.size());
+  require_one_value_each(particles.columns, particles.phases.size());
+  resize(0);
+  inserted_.clear();
+  next_id_ = 0;
+  begin_step();
+  append(particles);
+  for (const std::uint64_t id : ids()) next_id_ = std::max(next_id_, id + 1);
   sort();
 }
 
 template <int D>
+void ParticleStore<D>::resize(std::size_t particles) {
+  phase_.resize(particles);
+  next_phase_.resize(particles);
+  place_.resize(particles);
+  for (const auto& column : columns_) column->resize(particles);
+}
+
+template <int D>
 std::size_t ParticleStore<D>::bytes() const {
-  return (phase_.capacity() + next_phase_.capacity()) * sizeof(Phase<D>) +
-         (id_.capacity() + next_id_.capacity()) * sizeof(std::uint64_t) + place_.capacity() * sizeof(Place) +
-         (offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t);
+  std::size_t bytes = (phase_.capacity() + next_phase_.capacity()) * sizeof(Phase<D>) +
+                      place_.capacity() * sizeof(Place) +
+                      (offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t);
+  for (const auto& column : columns_) bytes += column->bytes();
+  return bytes;
 }
 
 template class ParticleStore<2>;

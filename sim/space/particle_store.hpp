@@ -1,67 +1,82 @@
 #pragma once
 
 #include "sim/space/grid.hpp"
-#include "sim/space/huge_page_allocator.hpp"
+#include "sim/space/particles.hpp"
+#include "sim/space/stored_column.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace sandglass {
 
-/// A point of phase space: what every particle has.
-template <int D>
-struct Phase {
-  Vector<D> position, velocity;
-};
-
-template <class T>
-using Column = std::vector<T, HugePageAllocator<T>>;
-
 /// Particles sorted by cell, with a second buffer for the counting sort of every step. Within a cell the order is that of
-/// (old cell, old place): it does not depend on how cells are shared out. The id column exists only if asked for.
+/// (old cell, old place), then that of insertion: it does not depend on how cells are shared out. Of the columns beside
+/// the phases only those exist that are asked for; all are sorted together.
 template <int D>
 class ParticleStore {
  public:
-  ParticleStore(const Grid<D>& grid, bool keep_ids)
-      : grid_(grid), keep_ids_(keep_ids), offset_(grid.size() + 1) {}
+  explicit ParticleStore(const Grid<D>& grid, const std::vector<ColumnInfo>& columns = {});
 
   const Grid<D>& grid() const { return grid_; }
   std::size_t size() const { return phase_.size(); }
-  bool keeps_ids() const { return keep_ids_; }
 
   std::span<Phase<D>> phases() { return phase_; }
   std::span<const Phase<D>> phases() const { return phase_; }
-  std::span<const std::uint64_t> ids() const { return id_; }
+  /// The columns beside the phases, by declaration.
+  ColumnViews columns() const;
+  /// Empty when the column was not asked for.
+  template <class T>
+  std::span<T> column(const ColumnKey<T>& key) {
+    const std::span<const T> values = columns().get(key);
+    return {const_cast<T*>(values.data()), values.size()};
+  }
+  std::span<const std::uint64_t> ids() const { return columns().get(column::id); }
   /// First particle of each cell; one more entry than cells.
-  std::span<const std::uint32_t> offsets() const { return offset_; }
+  std::span<const std::uint32_t> offsets() const { return {offset_.data(), offset_.size() - 1}; }
 
-  /// Place of each particle after the coming sort: its cell and its rank among the arrivals there. The motion fills it in
-  /// with arrive(); sort() then knows every address beforehand and waits for no counter.
-  struct Place {
-    std::uint32_t cell, rank;
-  };
+  // Moving. The motion gives every particle the place where it arrives; sort() then knows every address beforehand and
+  // waits for no counter.
+  using Place = CellPlace;
   void begin_step() { std::fill(arrival_.begin(), arrival_.end(), 0u); }
   /// For the motion's inner loop: places of the particles and counters of arrivals by cell.
   Place* places() { return place_.data(); }
   std::uint32_t* arrivals() { return arrival_.data() + 1; }
+  /// A particle that arrives in this cell, which is none, is dropped by the sort.
+  std::uint32_t removed() const { return grid_.size(); }
+  /// Instead of a motion: all particles keep their cells, but those at the places `leaving` are dropped by the sort.
+  void stay(std::span<const std::uint32_t> leaving = {});
+  /// Takes particles in at the coming sort, behind those that arrive in their cells, with new ids. Throws InputError when a
+  /// column has another length than the phases.
+  void insert(const Particles<D>& particles);
   /// Moves every particle to its place.
   void sort();
 
-  /// Takes particles in the given order, numbers them if ids are kept (or takes `ids`), and sorts them into cells.
-  void assign(std::span<const Phase<D>> particles, std::span<const std::uint64_t> ids = {});
+  /// Takes particles in the given order and sorts them into cells. Columns that it keeps and that are not given get their
+  /// initial value, ids the numbers 0, 1, ... Throws InputError as insert().
+  void assign(const Particles<D>& particles);
+
+  /// The next particle to be inserted gets this id; never below it again. For restarts.
+  std::uint64_t next_id() const { return next_id_; }
+  void set_next_id(std::uint64_t id) { next_id_ = id; }
 
   /// Bytes that the store holds, by what is allocated.
   std::size_t bytes() const;
 
  private:
+  void resize(std::size_t particles);
+  void append(const Particles<D>& particles);
+  void fill(StoredColumn& column, std::size_t first, const Particles<D>& particles);
+  void fill_ids(StoredColumn& column, std::size_t first, std::size_t count);
+
   Grid<D> grid_;
-  bool keep_ids_;
   Column<Phase<D>> phase_, next_phase_;
-  Column<std::uint64_t> id_, next_id_;
+  std::vector<std::unique_ptr<StoredColumn>> columns_;
   Column<Place> place_;
-  std::vector<std::uint32_t> offset_, arrival_ = std::vector<std::uint32_t>(offset_.size());
+  std::vector<std::uint32_t> offset_, arrival_;  ///< by cell, one more for what is removed, and the end
+  std::vector<Particles<D>> inserted_;           ///< wait for the sort
+  std::uint64_t next_id_ = 0;
 };
 
 extern template class ParticleStore<2>;

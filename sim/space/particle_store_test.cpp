@@ -36,11 +36,11 @@ Vector<D> mark(std::uint64_t id) {
 }
 
 template <int D>
-std::vector<Phase<D>> marked_particles(std::size_t count = kParticles) {
+Particles<D> marked_particles(std::size_t count = kParticles) {
   Random random(StreamKey(4, Purpose::positions, 0, 0), 0);
   std::vector<Phase<D>> particles(count);
   for (std::size_t i = 0; i < count; ++i) particles[i] = {random_point<D>(random), mark<D>(i)};
-  return particles;
+  return {particles, {}};
 }
 
 /// As a method does it: new positions, counted into their cells one after the other.
@@ -81,8 +81,8 @@ void expect_offsets_of_cells(const ParticleStore<D>& store) {
 }
 
 template <int D>
-void expect_stable_sort(bool keep_ids) {
-  ParticleStore<D> store(grid<D>(), keep_ids);
+void expect_stable_sort(const std::vector<ColumnInfo>& columns) {
+  ParticleStore<D> store(grid<D>(), columns);
   store.assign(marked_particles<D>());
   for (std::uint64_t step = 0; step < 5; ++step) {
     move_everything(store, step);
@@ -94,13 +94,13 @@ void expect_stable_sort(bool keep_ids) {
 }
 
 TEST(ParticleStore, SortsLikeAStableSort) {
-  expect_stable_sort<2>(false);
-  expect_stable_sort<3>(true);
+  expect_stable_sort<2>({});
+  expect_stable_sort<3>({column::id, column::spin<3>});
 }
 
 template <int D>
 void expect_ids_travel() {
-  ParticleStore<D> store(grid<D>(), true);
+  ParticleStore<D> store(grid<D>(), {column::id});
   store.assign(marked_particles<D>());
   for (std::uint64_t step = 0; step < 5; ++step) {
     move_everything(store, step);
@@ -116,23 +116,22 @@ TEST(ParticleStore, IdsTravelWithTheirParticles) {
 }
 
 TEST(ParticleStore, TakesIds) {
-  const auto particles = marked_particles<2>();
-  std::vector<std::uint64_t> ids;
-  for (std::size_t i = 0; i < particles.size(); ++i) ids.push_back(1000 + 7 * i);
-  ParticleStore<2> store(grid<2>(), true);
-  store.assign(particles, ids);
+  auto particles = marked_particles<2>();
+  for (std::uint64_t i = 0; i < kParticles; ++i) particles.columns.append(column::id, 1000 + 7 * i);
+  ParticleStore<2> store(grid<2>(), {column::id});
+  store.assign(particles);
   for (std::size_t i = 0; i < store.size(); ++i)
     ASSERT_EQ(store.phases()[i].velocity, mark<2>((store.ids()[i] - 1000) / 7));
 }
 
 TEST(ParticleStore, KeepsNoIdsUnasked) {
-  ParticleStore<2> store(grid<2>(), false);
+  ParticleStore<2> store(grid<2>());
   store.assign(marked_particles<2>());
   EXPECT_TRUE(store.ids().empty());
 }
 
 TEST(ParticleStore, MayBeFilledAgainWithOtherNumbers) {
-  ParticleStore<2> store(grid<2>(), true);
+  ParticleStore<2> store(grid<2>(), {column::id});
   for (std::size_t count : {kParticles, std::size_t{3}, std::size_t{0}, 2 * kParticles}) {
     store.assign(marked_particles<2>(count));
     ASSERT_EQ(store.size(), count);
@@ -141,13 +140,17 @@ TEST(ParticleStore, MayBeFilledAgainWithOtherNumbers) {
   }
 }
 
-/// Two buffers of phases, a place, and two buffers of ids if kept; two counters a cell.
+/// Two buffers of phases and of each column that is kept, and a place; two counters a cell, and for what is removed.
 TEST(ParticleStore, KnowsItsBytes) {
-  for (bool keep_ids : {false, true}) {
-    ParticleStore<3> store(grid<3>(), keep_ids);
+  const auto bytes = [](const std::vector<ColumnInfo>& columns) {
+    ParticleStore<3> store(grid<3>(), columns);
     store.assign(marked_particles<3>());
-    EXPECT_EQ(store.bytes(), kParticles * (2 * 48 + 8 + (keep_ids ? 16 : 0)) + 2 * 65 * 4);
-  }
+    return store.bytes();
+  };
+  constexpr std::size_t kPhases = kParticles * (2 * 48 + 8) + 2 * 66 * 4;
+  EXPECT_EQ(bytes({}), kPhases);
+  EXPECT_EQ(bytes({column::id}), kPhases + kParticles * 16);
+  EXPECT_EQ(bytes({column::species, column::spin<3>}), kPhases + kParticles * (2 + 48));
 }
 
 }  // namespace

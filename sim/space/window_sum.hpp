@@ -9,37 +9,43 @@
 
 namespace sandglass {
 
-/// Sums of cell counts over a window of cells around each cell: 2 h + 1 cells per axis, wrapped on periodic axes and cut
-/// off at walls. Whole axes shorter than the window are summed once.
-template <int D>
+/// Sums of a number per cell over a window of cells around each cell: 2 h + 1 cells per axis, wrapped on periodic axes
+/// and cut off at walls. Whole axes shorter than the window are summed once. Sums run along a line and are exact for
+/// whole numbers: below 2^24 in float, which suits counts of particles, below 2^53 in double.
+template <int D, class Real = float>
 class WindowSum {
  public:
   /// The smallest window that holds at least `wanted` particles on average, or the whole box.
   WindowSum(const Grid<D>& grid, const std::array<bool, D>& periodic, double particles_per_cell,
             double wanted);
 
-  /// `offsets` as of ParticleStore. Afterwards sum(c) and cells(c) describe the window of cell c.
+  /// Number of each cell, to be written; after sum() the sum over the window of each cell.
+  std::span<Real> values() { return sum_; }
+  void sum();
+  /// The same for the particles of each cell, `offsets` as of ParticleStore.
   void update(std::span<const std::uint32_t> offsets);
 
-  double sum(std::uint32_t cell) const { return sum_[cell]; }
+  double sum(std::uint32_t cell) const { return static_cast<double>(sum_[cell]); }
   /// Cells in the window of a cell.
-  double cells(std::uint32_t cell) const { return extent_[cell]; }
+  double cells(std::uint32_t cell) const { return static_cast<double>(extent_[cell]); }
   int half_width() const { return half_width_; }
   std::size_t bytes() const {
-    return (sum_.capacity() + scratch_.capacity() + extent_.capacity()) * sizeof(float);
+    return (sum_.capacity() + scratch_.capacity() + extent_.capacity()) * sizeof(Real);
   }
 
  private:
   void sum_along(int axis);
-  void sum_line(const float* line, float* out, std::size_t count, std::size_t stride, bool periodic) const;
+  void sum_line(const Real* line, Real* out, std::size_t count, std::size_t stride, bool periodic) const;
 
   Grid<D> grid_;
   std::array<bool, D> periodic_;
   int half_width_ = 0;
-  std::vector<float> sum_, scratch_, extent_;  ///< counts below 2^24 are exact
+  std::vector<Real> sum_, scratch_, extent_;
 };
 
 extern template class WindowSum<2>;
 extern template class WindowSum<3>;
+extern template class WindowSum<2, double>;
+extern template class WindowSum<3, double>;
 
 }  // namespace sandglass

@@ -70,7 +70,7 @@ double deviation(const Scene& scene, const Frame& frame, const std::vector<law::
                  const Scales& scales) {
   double worst = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const FramedBall seen = ball_in(frame, i, scene.domain.dimension);
+    const BallPhase seen = ball_in(frame, i, scene.domain.dimension);
     Vector<3> apart = seen.position - expected[i].position;
     for (std::size_t axis = 0; axis < scene.domain.size.size(); ++axis) {
       double& component = apart[static_cast<int>(axis)];
@@ -78,7 +78,7 @@ double deviation(const Scene& scene, const Frame& frame, const std::vector<law::
     }
     const double parts[] = {apart.norm() / scales.length,
                             (seen.velocity - expected[i].velocity).norm() / scales.speed,
-                            frame.spin.empty() ? 0 : (seen.spin - expected[i].spin).norm() / scales.spin};
+                            seen.spin ? (*seen.spin - expected[i].spin).norm() / scales.spin : 0};
     for (const double part : parts) keep_worst(worst, part);
   }
   return worst;

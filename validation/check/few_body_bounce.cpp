@@ -61,7 +61,7 @@ struct Seen {
 };
 
 Seen seen_in(const Subject& subject, const Frame& frame) {
-  const FramedBall ball = ball_in(frame, 0, subject.dimension());
+  const BallPhase ball = ball_in(frame, 0, subject.dimension());
   const int axis = fall_axis(subject.scene());
   return {ball.position[axis] - subject.species().diameter / 2, ball.velocity[axis]};
 }

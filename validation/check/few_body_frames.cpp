@@ -26,20 +26,24 @@ Vector<3> spin_in_space(const std::vector<double>& components) {
   return components.size() == 1 ? Vector<3>(0, 0, components[0]) : in_space(components);
 }
 
-FramedBall ball_in(const Frame& frame, std::size_t index, int dimension) {
-  const auto found = std::find(frame.id.begin(), frame.id.end(), index);
-  if (found == frame.id.end()) throw InputError(fmt::format("a frame does not hold ball {}", index + 1));
-  const auto place = static_cast<std::size_t>(found - frame.id.begin());
+BallPhase ball_in(const Frame& frame, std::size_t index, int dimension) {
+  const auto ids = frame.columns.get(column::id);
+  const auto found = std::find(ids.begin(), ids.end(), index);
+  if (found == ids.end()) throw InputError(fmt::format("a frame does not hold ball {}", index + 1));
+  const auto place = static_cast<std::size_t>(found - ids.begin());
   const auto width = static_cast<std::size_t>(dimension);
-  FramedBall ball{in_space(cut(frame.position, place, width)), in_space(cut(frame.velocity, place, width)),
-                  Vector<3>::Zero()};
-  if (!frame.spin.empty()) ball.spin = spin_in_space(cut(frame.spin, place, dimension == 2 ? 1 : 3));
+  BallPhase ball{
+      in_space(cut(frame.position, place, width)), in_space(cut(frame.velocity, place, width)), {}};
+  if (dimension == 2 && frame.columns.has(column::spin<2>))
+    ball.spin = Vector<3>(0, 0, frame.columns.get(column::spin<2>)[place][0]);
+  if (dimension == 3 && frame.columns.has(column::spin<3>))
+    ball.spin = frame.columns.get(column::spin<3>)[place];
   return ball;
 }
 
 const std::vector<Frame>& frames_with_ids(const Subject& subject) {
   const std::vector<Frame>& frames = subject.record().trajectory;
-  if (frames.empty() || frames.front().id.empty())
+  if (frames.empty() || frames.front().columns.get(column::id).empty())
     throw InputError("the record has no trajectory with identities: set 'trajectory' and 'ids' in [output]");
   return frames;
 }

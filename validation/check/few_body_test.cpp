@@ -47,8 +47,9 @@ Record row_record(double restitution, double shift) {
   for (int step = 0; step <= 6; ++step) {
     const law::FewBodyResult now = law::few_body(
         balls, [=](auto, auto) { return law::Touch{restitution}; }, step);
-    Frame frame{static_cast<std::uint64_t>(step), static_cast<double>(step), {}, {}, {1, 2, 0}};
-    for (const std::uint64_t id : frame.id) {
+    Frame frame{static_cast<std::uint64_t>(step), static_cast<double>(step), {}, {}};
+    for (const std::uint64_t id : {1, 2, 0}) {
+      frame.columns.append(column::id, id);
       const law::Ball& ball = now.balls[id];
       frame.position.insert(frame.position.end(), {ball.position[0], ball.position[1]});
       frame.velocity.insert(frame.velocity.end(), {ball.velocity[0], ball.velocity[1]});
@@ -82,7 +83,7 @@ TEST(FewBodyState, NotANumberStaysVisible) {
 
 TEST(FewBodyState, NeedsIdentities) {
   Record record = row_record(0.3, 0);
-  for (Frame& frame : record.trajectory) frame.id.clear();
+  for (Frame& frame : record.trajectory) frame.columns.remove("id");
   EXPECT_THROW(run_check(find_check("few-body-state"), record, {}), InputError);
 }
 
@@ -120,7 +121,8 @@ Record fall_record(const std::string& wall, const State& state) {
     const double time = 0.3 * step;
     const law::BounceState now = state(time);
     record.trajectory.push_back(
-        {static_cast<std::uint64_t>(step), time, {4, now.height + 0.5}, {0, now.velocity}, {0}});
+        {static_cast<std::uint64_t>(step), time, {4, now.height + 0.5}, {0, now.velocity}});
+    record.trajectory.back().columns.append(column::id, 0);
     record.replicas[0].counters["particle-moves"] = now.bounces;
   }
   return record;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sim/method/dsmc/collision_stage.hpp"
-#include "sim/method/dsmc/policies.hpp"
-#include "sim/space/lanes.hpp"
+#include "sim/method/dsmc/displacement.hpp"
+#include "sim/method/dsmc/velocity_box.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,45 +10,7 @@
 
 namespace sandglass::dsmc {
 
-/// Smallest box in velocity space around the velocities of a cell. Its diagonal bounds every relative speed, and its
-/// edges are cheap to keep as collisions change the velocities: no pair is ever above the bound.
-template <int D>
-class VelocityBox {
- public:
-  using Lane = Lanes<D>;
-  using Real = typename Lane::Real;
-
-  VelocityBox() = default;
-  /// Eight particles at a time, the last one again where there are fewer: a loop whose end can be guessed.
-  VelocityBox(const Phase<D>* particles, std::uint32_t count) : low_(velocity_of(particles[0])), high_(low_) {
-    const std::uint32_t last = std::max(count, 1u) - 1;
-    for (std::uint32_t i = 0; i <= last; i += 8)
-      for (std::uint32_t lane = 0; lane < 8; ++lane)
-        include(velocity_of(particles[std::min(i + lane, last)]));
-  }
-  void include(const Real& velocity) {
-    low_ = velocity < low_ ? velocity : low_;
-    high_ = velocity > high_ ? velocity : high_;
-  }
-  double square_diagonal() const {
-    const Real edge = high_ - low_;
-    const Real square = edge * edge;
-    double sum = square[0] + square[1];
-    if constexpr (D == 3) sum += square[2];
-    return sum;
-  }
-
- private:
-  static Real velocity_of(const Phase<D>& particle) { return Lane::load(particle.position.data() + D); }
-
-  Real low_, high_;
-};
-
 inline double square(double x) { return x * x; }
-
-struct Pair {
-  std::uint32_t first, second;
-};
 
 /// Two different particles of `count`, each ordered pair alike; 32 bits each (bias below count / 2^32).
 inline Pair draw_pair(std::uint32_t count, Random& random) {
@@ -59,12 +21,15 @@ inline Pair draw_pair(std::uint32_t count, Random& random) {
   return {first, other + (other >= first)};
 }
 
-/// Majorant collisions (no time counter, Bird 1989) of one step in each cell.
-template <int D, class Selection, class Displacement, bool Factor, bool Transfer>
+/// Majorant collisions (no time counter, Bird 1989) of one step in each cell. `Rule` is a pair rule, see SmoothPairs.
+template <int D, class Rule>
 class CollisionKernel final : public CollisionStage<D> {
  public:
   explicit CollisionKernel(const Parameters& parameters)
-      : selection_(parameters), displacement_(parameters.offset), mass_(parameters.mass) {}
+      : rule_(parameters),
+        offset_(parameters.offset),
+        displaces_(parameters.offset.any()),
+        measure_transfer_(parameters.measure_transfer && displaces_) {}
 
   void collide(const CollisionStep<D>& step, std::uint32_t first_cell,
                std::uint32_t last_cell) const override {
@@ -89,8 +54,8 @@ class CollisionKernel final : public CollisionStage<D> {
 
   /// Draws the number of candidates of each cell. Apart from the collisions, whose branches nobody can guess, since the
   /// long chain from velocities to the number then overlaps from cell to cell.
-  std::size_t prepare(const CollisionStep<D>& step, std::uint32_t first, std::uint32_t last,
-                      Task* tasks) const {
+  [[gnu::always_inline]] std::size_t prepare(const CollisionStep<D>& step, std::uint32_t first,
+                                             std::uint32_t last, Task* tasks) const {
     std::size_t count = 0;
     for (std::uint32_t cell = first; cell < last; ++cell) {
       const std::uint32_t begin = step.offsets[cell], particles = step.offsets[cell + 1] - begin;
@@ -100,40 +65,41 @@ class CollisionKernel final : public CollisionStage<D> {
       task.square_diagonal = task.box.square_diagonal();
       task.random = Random(step.key, cell);
       const double pairs = static_cast<double>(particles) * (static_cast<double>(particles) - 1);
-      double expected = step.coefficient * pairs * selection_.bound(std::sqrt(task.square_diagonal));
-      if constexpr (Factor) expected *= step.factor[cell];
-      task.candidates = selection_.whole(expected, task.random);
+      double expected = step.coefficient * pairs * rule_.bound(std::sqrt(task.square_diagonal));
+      if (step.factor != nullptr) expected *= step.factor[cell];
+      task.candidates = rule_.whole(expected, task.random);
       task.cell = cell;
       count += task.candidates > 0;
     }
     return count;
   }
 
-  void collide_cell(const CollisionStep<D>& step, Task& task) const {
+  [[gnu::always_inline]] void collide_cell(const CollisionStep<D>& step, Task& task) const {
     const std::uint32_t begin = step.offsets[task.cell], count = step.offsets[task.cell + 1] - begin;
-    Phase<D>* particles = step.particles + begin;
+    const typename Rule::Columns columns = rule_.columns(step, begin);
     Random random = task.random;  // in registers
-    double square_bound = square(selection_.bound(1)) * task.square_diagonal;
+    double square_bound = square(rule_.bound(1)) * task.square_diagonal;
     double transfer = 0;
     for (std::uint64_t left = task.candidates; left > 0; --left) {
       ++step.tally->candidates;
       const Pair pair = draw_pair(count, random);
-      Phase<D>& one = particles[pair.first];
-      Phase<D>& two = particles[pair.second];
+      Phase<D>& one = columns.phases[pair.first];
+      Phase<D>& two = columns.phases[pair.second];
       const Vector<D> relative = one.velocity - two.velocity;
       const double square_speed = relative.squaredNorm();
-      if (!selection_.accepts(square_speed, square_bound, random.uniform())) continue;
-      transfer += collide_pair(one, two, relative, square_speed, random);
+      if (!rule_.accepts(columns, pair, square_speed, square_bound, random.uniform())) continue;
+      const Vector<D> change = rule_.collide(columns, pair, relative, square_speed, random);
+      if (displaces_) transfer += displace(columns, pair, change, one, two, random);
       ++step.tally->collisions;
       if (left == 1) break;
       if (const double ratio = widen(task, one.velocity, two.velocity); ratio > 1) {
         // The rest of the step goes on with the higher bound and proportionally more candidates.
-        left = 1 + selection_.whole((static_cast<double>(left) - 1) * std::sqrt(ratio), random);
+        left = 1 + rule_.whole((static_cast<double>(left) - 1) * std::sqrt(ratio), random);
         square_bound *= ratio;
         ++*step.bound_raised;
       }
     }
-    if constexpr (Transfer) step.tally->transfer.add(transfer);
+    if (measure_transfer_) step.tally->transfer.add(transfer);
   }
 
   /// Takes the velocities after a collision into the box and returns by how much its square diagonal grew.
@@ -146,44 +112,24 @@ class CollisionKernel final : public CollisionStage<D> {
     return task.square_diagonal > before ? task.square_diagonal / before : 1;
   }
 
-  /// Returns the momentum times distance that the offset carries.
-  double collide_pair(Phase<D>& one, Phase<D>& two, const Vector<D>& relative, double square_speed,
-                      Random& random) const {
-    const Vector<D> change =
-        selection_.template kick<D>(one.velocity, two.velocity, relative, square_speed, random);
-    if constexpr (Displacement::moves) {
-      const Vector<D> displacement = displacement_.template displacement<D>(change.normalized(), random);
-      one.position += displacement;
-      two.position -= displacement;
-      if constexpr (Transfer) return mass_ * (one.velocity - two.velocity).dot(displacement);
-    }
-    return 0;
+  /// Moves the partners apart along the momentum change and returns the momentum times distance that this carries.
+  [[gnu::always_inline]] double displace(const typename Rule::Columns& columns, const Pair& pair,
+                                         const Vector<D>& change, Phase<D>& one, Phase<D>& two,
+                                         Random& random) const {
+    const Vector<D> shift = displacement<D>(offset_, change.normalized(), random);
+    one.position += shift;
+    two.position -= shift;
+    return measure_transfer_ ? rule_.transfer(columns, pair, shift) : 0;
   }
 
-  Selection selection_;
-  Displacement displacement_;
-  double mass_;
+  Rule rule_;
+  Offset offset_;
+  bool displaces_, measure_transfer_;
 };
 
-template <int D, class Selection, class Displacement>
+template <int D, class Rule>
 std::unique_ptr<CollisionStage<D>> make_kernel(const Parameters& parameters) {
-  const bool factor = parameters.factor.formula != nullptr;
-  if constexpr (Displacement::moves) {
-    if (parameters.measure_transfer) {
-      if (factor)
-        return std::make_unique<CollisionKernel<D, Selection, Displacement, true, true>>(parameters);
-      return std::make_unique<CollisionKernel<D, Selection, Displacement, false, true>>(parameters);
-    }
-  }
-  if (factor) return std::make_unique<CollisionKernel<D, Selection, Displacement, true, false>>(parameters);
-  return std::make_unique<CollisionKernel<D, Selection, Displacement, false, false>>(parameters);
-}
-
-template <int D, class Selection>
-std::unique_ptr<CollisionStage<D>> choose_kernel(const Parameters& parameters) {
-  if (parameters.offset.random != 0) return make_kernel<D, Selection, RandomOffset>(parameters);
-  if (parameters.offset.consistent != 0) return make_kernel<D, Selection, ConsistentOffset>(parameters);
-  return make_kernel<D, Selection, NoOffset>(parameters);
+  return std::make_unique<CollisionKernel<D, Rule>>(parameters);
 }
 
 }  // namespace sandglass::dsmc

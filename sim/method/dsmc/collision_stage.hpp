@@ -10,20 +10,25 @@
 
 namespace sandglass::dsmc {
 
+/// Two particles, by their places in their cell.
+struct Pair {
+  std::uint32_t first, second;
+};
+
 /// What changes from step to step.
 template <int D>
 struct CollisionStep {
   StreamKey key;
   double
       coefficient;  ///< weight sigma dt / (2 V_cell): candidates per ordered pair and unit of relative speed
-  const double* factor;  ///< contact factor of each cell; null without
+  const double* factor;  ///< on the pairs of each cell; null without
   Phase<D>* particles;
   const std::uint32_t* offsets;
   Tally* tally;
   std::uint64_t* bound_raised;  ///< collisions after which the bound on relative speeds had to rise
 };
 
-/// Collides the particles of a range of cells. One implementation per combination of policies, chosen once at assembly.
+/// Collides the particles of a range of cells. One implementation per pair rule, chosen once at assembly.
 template <int D>
 class CollisionStage {
  public:
@@ -35,7 +40,7 @@ class CollisionStage {
 template <int D>
 std::unique_ptr<CollisionStage<D>> make_collision_stage(const Parameters& parameters);
 
-/// The same kernel with planted faults. Kept out of the honest kernel: it costs branches.
+/// The same kernel with the planted faults of `parameters`, if any. Kept out of the honest kernel: it costs branches.
 template <int D>
 std::unique_ptr<CollisionStage<D>> make_faulty_collision_stage(const Parameters& parameters);
 

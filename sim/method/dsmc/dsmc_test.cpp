@@ -45,9 +45,9 @@ Grid<D> grid() {
 }
 
 template <int D>
-Dsmc<D> simulation(const Parameters& parameters, bool keep_ids = false) {
-  Dsmc<D> dsmc(grid<D>(), parameters, {}, {}, Purpose::collisions, keep_ids);
-  dsmc.assign({particles<D>(), {}, {}, {}});
+Dsmc<D> simulation(const Parameters& parameters, const std::vector<ColumnInfo>& columns = {}) {
+  Dsmc<D> dsmc(grid<D>(), parameters, {}, {}, Purpose::collisions, columns);
+  dsmc.assign({particles<D>(), {}});
   return dsmc;
 }
 
@@ -111,7 +111,7 @@ TEST(Dsmc, CollidesAtTheRateOfKineticTheory) {
 TEST(Dsmc, IdsTravelWithTheirParticles) {
   Parameters ghosts = gas(2);
   ghosts.cross_section = 0;  // free flight: the velocity tells the particle
-  Dsmc<2> dsmc = simulation<2>(ghosts, true);
+  Dsmc<2> dsmc = simulation<2>(ghosts, {column::id});
   const auto start = particles<2>();
   for (std::uint64_t step = 0; step < 30; ++step) dsmc.step(0.3, step);
   for (std::size_t i = 0; i < kParticles; ++i) {
@@ -129,10 +129,11 @@ TEST(Dsmc, GoesOnBitwiseFromItsParticles) {
   Parameters parameters = gas(3);
   parameters.factor.formula = carnahan_starling;
   parameters.offset = {0.2, 0.1};
+  parameters.pair_count = PairCount::expected;
   Dsmc<3> dsmc = simulation<3>(parameters), resumed = simulation<3>(parameters);
   for (std::uint64_t step = 0; step < 10; ++step) dsmc.step(0.1, step);
   const auto half_way = dsmc.view().particles;
-  resumed.assign({{half_way.begin(), half_way.end()}, {}, {}, {}});
+  resumed.assign({{half_way.begin(), half_way.end()}, {}});
   for (std::uint64_t step = 10; step < 20; ++step) {
     dsmc.step(0.1, step);
     resumed.step(0.1, step);

@@ -39,19 +39,19 @@ class Builder final : public MethodBuilder<D> {
 
   std::unique_ptr<Simulator<D>> build(const Streams& streams,
                                       const Attachments<D>& attachments) const override {
-    MotionParameters<D> motion = motion_;
+    motion::MotionParameters<D> motion = motion_;
     motion.planes = attachments.planes;
-    return std::make_unique<Dsmc<D>>(grid_, parameters_, motion, streams, Purpose::collisions,
-                                     scene_.output.ids);
+    std::vector<ColumnInfo> columns;
+    if (scene_.output.ids) columns.push_back(column::id);
+    return std::make_unique<Dsmc<D>>(grid_, parameters_, motion, streams, Purpose::collisions, columns);
   }
 
   std::unique_ptr<Simulator<D>> build_elastic(const Streams& streams) const override {
     Parameters elastic = parameters_;
     elastic.restitution = 1;
     elastic.measure_transfer = false;
-    MotionParameters<D> motion = motion_;
-    motion.gravity.setZero();
-    return std::make_unique<Dsmc<D>>(grid_, elastic, motion, streams, Purpose::equilibration);
+    return std::make_unique<Dsmc<D>>(grid_, elastic, motion::conserving(motion_), streams,
+                                     Purpose::equilibration);
   }
 
   void plan(Plan& plan) const override {
@@ -103,7 +103,7 @@ class Builder final : public MethodBuilder<D> {
   Scene scene_;
   Grid<D> grid_;
   Parameters parameters_;
-  MotionParameters<D> motion_;
+  motion::MotionParameters<D> motion_;
 };
 
 template <int D>

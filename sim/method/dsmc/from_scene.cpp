@@ -77,8 +77,9 @@ Parameters parameters_of(const Scene& scene) {
 }
 
 template <int D>
-MotionParameters<D> motion_of(const Scene& scene) {
-  MotionParameters<D> motion;
+motion::MotionParameters<D> motion_of(const Scene& scene) {
+  motion::MotionParameters<D> motion;
+  motion.mass = scene.species.front().mass;
   for (std::size_t axis = 0; axis < D; ++axis)
     motion.walled[axis] = scene.domain.sides[axis][0] == Side::specular;
   motion.gravity = vector_of<D>(scene.gravity);
@@ -89,7 +90,7 @@ template Grid<2> grid_of(const Scene&);
 template Grid<3> grid_of(const Scene&);
 template Parameters parameters_of<2>(const Scene&);
 template Parameters parameters_of<3>(const Scene&);
-template MotionParameters<2> motion_of(const Scene&);
-template MotionParameters<3> motion_of(const Scene&);
+template motion::MotionParameters<2> motion_of(const Scene&);
+template motion::MotionParameters<3> motion_of(const Scene&);
 
 }  // namespace sandglass::dsmc

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/method/dsmc/motion_stage.hpp"
 #include "sim/method/dsmc/parameters.hpp"
+#include "sim/motion/parameters.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/space/grid.hpp"
 
@@ -13,13 +13,13 @@ Grid<D> grid_of(const Scene& scene);
 template <int D>
 Parameters parameters_of(const Scene& scene);
 template <int D>
-MotionParameters<D> motion_of(const Scene& scene);
+motion::MotionParameters<D> motion_of(const Scene& scene);
 
 extern template Grid<2> grid_of(const Scene&);
 extern template Grid<3> grid_of(const Scene&);
 extern template Parameters parameters_of<2>(const Scene&);
 extern template Parameters parameters_of<3>(const Scene&);
-extern template MotionParameters<2> motion_of(const Scene&);
-extern template MotionParameters<3> motion_of(const Scene&);
+extern template motion::MotionParameters<2> motion_of(const Scene&);
+extern template motion::MotionParameters<3> motion_of(const Scene&);
 
 }  // namespace sandglass::dsmc

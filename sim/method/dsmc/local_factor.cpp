@@ -5,13 +5,6 @@
 
 namespace sandglass::dsmc {
 
-namespace {
-double particle_volume(int dimension, double diameter) {
-  return dimension == 2 ? M_PI / 4 * diameter * diameter : M_PI / 6 * std::pow(diameter, 3);
-}
-constexpr double kWindowParticles = 100;
-}  // namespace
-
 template <int D>
 LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const Grid<D>& grid,
                                           const std::array<bool, D>& periodic, double particles)
@@ -20,7 +13,8 @@ LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const Gr
       fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) /
                              grid.cell_volume()),
       densest_(D == 2 ? M_PI / std::sqrt(12.0) : M_PI / std::sqrt(18.0)),
-      window_(grid, periodic, particles / grid.size(), smoothed_ ? kWindowParticles : 0),
+      window_(grid, periodic, particles / grid.size(),
+              smoothed_ ? window_particles(parameters.pair_count) : 0),
       factor_(grid.size()) {}
 
 template <int D>

@@ -5,17 +5,27 @@
 #include "sim/space/window_sum.hpp"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace sandglass::dsmc {
+
+/// Area or volume of one particle.
+inline double particle_volume(int dimension, double diameter) {
+  return dimension == 2 ? M_PI / 4 * diameter * diameter : M_PI / 6 * std::pow(diameter, 3);
+}
+
+/// Particles that a window holds at least. It scatters less than chance where offsets push particles apart, which takes
+/// about one in its number from the rate: expected pairs are worth a larger one.
+inline double window_particles(PairCount count) { return count == PairCount::expected ? 400 : 100; }
 
 /// Contact factor of every cell from the local density.
 ///
 /// A small cell's own count is a biased measure of the density that a pair meets: a pair sits more often where many
 /// particles are (the count seen by a pair is larger by two), and the factor is convex (g of a fluctuating count
-/// exceeds g of its mean). Here the density comes from a window of at least 100 particles without the pair itself,
+/// exceeds g of its mean). Here the density comes from a window of cells without the pair itself,
 /// which for Poisson counts removes the first bias exactly, and the second derivative of the formula times the Poisson
-/// variance removes the second to the order 1/100^2.
+/// variance removes the second to the second order.
 template <int D>
 class LocalContactFactor {
  public:

@@ -2,6 +2,8 @@
 
 #include "sim/physics/contact_value.hpp"
 
+#include <cmath>
+
 namespace sandglass::dsmc {
 
 /// Displacement of the partners of a collision along their own momentum change.
@@ -9,6 +11,7 @@ struct Offset {
   double consistent = 0;  ///< length along the momentum change
   double random = 0;  ///< length of an extra displacement of random direction, opposite for the two partners
   bool any() const { return consistent != 0 || random != 0; }
+  double length() const { return std::hypot(consistent, random); }  ///< root mean square
 };
 
 /// Contact factor from the local density. Without a formula the factor is one and nothing is computed.
@@ -17,6 +20,10 @@ struct LocalFactor {
   bool smoothed = true;  ///< from a window of cells without the pair itself; else from the cell's own count
 };
 
+/// What candidates come from. counted: the pairs that each cell holds. expected: as many as chance would put into cells of
+/// the local density; see ExpectedPairs.
+enum class PairCount { counted, expected };
+
 /// Faults that the mutant suite plants; all at their honest values otherwise.
 struct Faults {
   double bound = 1;          ///< factor on the bound of relative speeds
@@ -24,6 +31,9 @@ struct Faults {
   double impact = 1;         ///< factor on the impact parameter
   bool acceptance_inverted = false;
   bool fraction_truncated = false;  ///< drops the fractional candidate
+  double expected_pairs = 1;        ///< factor on the pairs that PairCount::expected puts into a cell
+  bool speeds_forgotten = false;    ///< PairCount::expected takes missing pairs for average ones
+  /// Of the collision kernel; the others change the factor of a cell.
   bool any() const {
     return bound != 1 || momentum_leak != 0 || impact != 1 || acceptance_inverted || fraction_truncated;
   }
@@ -37,6 +47,7 @@ struct Parameters {
   double cross_section = 2;
   double weight = 1;  ///< real particles per simulated one
   LocalFactor factor;
+  PairCount pair_count = PairCount::counted;
   Offset offset;
   bool measure_transfer = false;
   Faults faults;

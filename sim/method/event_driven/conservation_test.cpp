@@ -90,7 +90,8 @@ TEST(Conservation, RoughParticlesKeepMomentumAndPerfectlyRoughOnesEnergy) {
   const double inertia = gas.parameters.species.front().inertia, before = kinetic_energy(*engine);
   engine->step(200, 0);
   double spinning = 0;
-  for (const auto& spin : engine->view().spins) spinning += 0.5 * inertia * spin.squaredNorm();
+  for (const auto& spin : engine->view().columns.get(column::spin<2>))
+    spinning += 0.5 * inertia * spin.squaredNorm();
   EXPECT_GT(engine->tally().collisions, 10000u);
   EXPECT_GT(spinning, 0.2 * before);
   EXPECT_NEAR(kinetic_energy(*engine) + spinning, before, 1e-11 * before);
@@ -106,8 +107,8 @@ TEST(Conservation, MixturesKeepMomentumAndEnergy) {
     Vector<4> sum = Vector<4>::Zero();
     for (std::size_t i = 0; i < view.particles.size(); ++i) {
       const Vector<3>& v = view.particles[i].velocity;
-      sum[3] += view.traits[view.species[i]].mass * v.squaredNorm() / 2;
-      sum.head<3>() += view.traits[view.species[i]].mass * v;
+      sum[3] += view.traits[view.columns.get(column::species)[i]].mass * v.squaredNorm() / 2;
+      sum.head<3>() += view.traits[view.columns.get(column::species)[i]].mass * v;
     }
     return sum;
   };

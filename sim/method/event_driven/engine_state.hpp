@@ -130,10 +130,10 @@ auto Engine<C>::view() -> View<D> {
     present_.take(gas_.size(), parameters_.geometry, [this](std::uint32_t i) { return state(i); });
   seen_ = progress_.clock();
   View<D> view = present_.view();
-  view.spins = gas_.spins;
-  if (parameters_.species.size() > 1) view.species = gas_.species;
+  if (parameters_.keep_ids) view.columns.add(column::id, gas_.ids);
+  view.columns.add(column::spin<D>, gas_.spins);
+  if (parameters_.species.size() > 1) view.columns.add(column::species, gas_.species);
   view.traits = parameters_.species;
-  view.mass = parameters_.species.front().mass;
   view.tally = &tally_;
   view.planes = parameters_.planes;
   return view;

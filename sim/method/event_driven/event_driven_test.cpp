@@ -9,7 +9,7 @@ TEST(EventDriven, TwoDisksMeetHeadOnAndExchangeVelocities) {
   Parameters<2> parameters;
   parameters.geometry = {Vector<2>(10, 10), {true, true}};
   const auto gas = make_event_driven<2>(parameters, {}, {1, 0});
-  gas->assign({{{{2, 5}, {1, 0}}, {{6, 5}, {-1, 0}}}, {}, {}, {}});
+  gas->assign({{{{2, 5}, {1, 0}}, {{6, 5}, {-1, 0}}}, {}});
   gas->step(2, 0);  // they touch at 1.5, at x = 3.5 and 4.5
   const auto particles = gas->view().particles;
   EXPECT_NEAR(particles[0].position[0], 3, 1e-14);

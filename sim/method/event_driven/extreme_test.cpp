@@ -47,7 +47,7 @@ TEST(Extreme, MassesFromOneToAMillionAndDiametersFromOneToTwenty) {
   const auto velocities = thermal_velocities<2>(400);
   for (int i = 0; i < 4; ++i) {
     gas.add({25.0 + 50 * (i % 2), 25.0 + 50 * (i / 2)}, 1e-3 * velocities[static_cast<std::size_t>(i)]);
-    gas.particles.species.push_back(0);
+    gas.particles.columns.append(column::species, 0);
   }
   for (int i = 0; i < 400; ++i) {
     const Vector<2> place(5 * (i % 20) + 0.5, 5 * (i / 20) + 0.5);
@@ -56,14 +56,15 @@ TEST(Extreme, MassesFromOneToAMillionAndDiametersFromOneToTwenty) {
       free &= (place - gas.particles.phases[static_cast<std::size_t>(k)].position).norm() > 11;
     if (!free) continue;
     gas.add(place, velocities[static_cast<std::size_t>(i)]);
-    gas.particles.species.push_back(1);
+    gas.particles.columns.append(column::species, 1);
   }
   const auto engine = gas.make();
   const auto energy = [&] {
     const auto view = engine->view();
     double sum = 0;
     for (std::size_t i = 0; i < view.particles.size(); ++i)
-      sum += view.traits[view.species[i]].mass * view.particles[i].velocity.squaredNorm();
+      sum +=
+          view.traits[view.columns.get(column::species)[i]].mass * view.particles[i].velocity.squaredNorm();
     return sum;
   };
   const double before = energy();

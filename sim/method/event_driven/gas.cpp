@@ -28,12 +28,13 @@ void Gas<D>::assign(const Particles<D>& start, const OptionalColumns& columns) {
     particles[i] = {start.phases[i].position, start.phases[i].velocity, 0, 0, kNobody};
   next.assign(count, {HUGE_VAL, HUGE_VAL, kNobody, 0, 0, 0});
   spins.assign(columns.spins ? count : 0, Spin<D>::Zero());
-  if (columns.spins) std::copy(start.spins.begin(), start.spins.end(), spins.begin());
+  if (columns.spins) std::ranges::copy(start.columns.get(column::spin<D>), spins.begin());
   species.assign(columns.species ? count : 0, 0);
-  if (columns.species) std::copy(start.species.begin(), start.species.end(), species.begin());
+  if (columns.species) std::ranges::copy(start.columns.get(column::species), species.begin());
   last_contact.assign(columns.last_contact ? count : 0, -HUGE_VAL);
   ids.resize(columns.ids ? count : 0);
-  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = start.ids.empty() ? i : start.ids[i];
+  const auto given = start.columns.get(column::id);
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = given.empty() ? i : given[i];
 }
 
 template <int D>

@@ -37,14 +37,14 @@ struct TestGas {
     for (SpeciesTraits& kind : parameters.species)
       kind.inertia = (D == 2 ? 0.5 : 0.4) * kind.mass * kind.diameter * kind.diameter / 4;
     for (Surface& surface : parameters.surfaces) surface.tangential = tangential, surface.friction = friction;
-    particles.spins.assign(particles.phases.size(), Spin<D>::Zero());
+    particles.columns.set(column::spin<D>, std::vector<Spin<D>>(particles.phases.size(), Spin<D>::Zero()));
   }
   /// Every second particle is of another kind.
   void make_mixture(double diameter, double mass) {
     parameters.species.push_back({diameter, mass, 0});
     parameters.surfaces.assign(4, parameters.surfaces.front());
     for (std::size_t i = 0; i < particles.phases.size(); ++i)
-      particles.species.push_back(static_cast<std::uint8_t>(i % 2));
+      particles.columns.append(column::species, static_cast<std::uint8_t>(i % 2));
   }
   /// Specular walls at both sides of an axis that is not periodic.
   void add_walls(int axis, const WallRule& rule = {}) {
@@ -159,10 +159,9 @@ std::vector<Phase<D>> by_id(Simulator<D>& gas) {
 template <int D>
 Particles<D> particles_of(Simulator<D>& gas) {
   const View<D> view = gas.view();
-  return {{view.particles.begin(), view.particles.end()},
-          {view.spins.begin(), view.spins.end()},
-          {view.species.begin(), view.species.end()},
-          {gas.ids().begin(), gas.ids().end()}};
+  Particles<D> particles{{view.particles.begin(), view.particles.end()}, {}};
+  for (const ColumnView& column : view.columns) particles.columns.set(column);
+  return particles;
 }
 
 /// Sum of m v^2 / 2 for particles of mass 1.

@@ -70,7 +70,10 @@ class AllPairs {
       collide(next.first, next.second);
   }
 
-  std::size_t kind(std::size_t i) const { return particles_.species.empty() ? 0 : particles_.species[i]; }
+  std::size_t kind(std::size_t i) const {
+    const auto species = particles_.columns.get(column::species);
+    return species.empty() ? 0 : species[i];
+  }
   const SpeciesTraits& traits(std::size_t i) const { return parameters_.species[kind(i)]; }
 
   /// Time until |r + u t| is `reach`, from outside and approaching, by the plain formula in long numbers.
@@ -167,12 +170,13 @@ class AllPairs {
     if (clock_ - std::max(last_[i], last_[j]) < parameters_.contact_time) surface.normal = {1, 0};
     last_[i] = last_[j] = clock_;
     Spin<D> none_1 = Spin<D>::Zero(), none_2 = Spin<D>::Zero();
+    const auto turning = particles_.columns.edit(column::spin<D>);
     const bool spins = parameters_.rough;
     sandglass::collide<D>(surface, normal,
-                          {particles_.phases[i].velocity, spins ? particles_.spins[i] : none_1,
-                           1 / traits(i).mass, spins ? 1 / traits(i).inertia : 0, traits(i).diameter / 2},
-                          {particles_.phases[j].velocity, spins ? particles_.spins[j] : none_2,
-                           1 / traits(j).mass, spins ? 1 / traits(j).inertia : 0, traits(j).diameter / 2});
+                          {particles_.phases[i].velocity, spins ? turning[i] : none_1, 1 / traits(i).mass,
+                           spins ? 1 / traits(i).inertia : 0, traits(i).diameter / 2},
+                          {particles_.phases[j].velocity, spins ? turning[j] : none_2, 1 / traits(j).mass,
+                           spins ? 1 / traits(j).inertia : 0, traits(j).diameter / 2});
   }
 
   Parameters<D> parameters_;

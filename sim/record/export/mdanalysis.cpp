@@ -23,7 +23,9 @@ std::vector<Frame> frames_in_space(const Record& record) {
   for (Frame& frame : frames) {
     frame.position = in_space(frame.position, record.dimension);
     frame.velocity = in_space(frame.velocity, record.dimension);
-    frame.spin.clear();  // MDAnalysis has no place for it
+    Columns known;  // MDAnalysis has no place for others
+    if (frame.columns.has(column::id)) known.set(column::id, frame.columns.get(column::id));
+    frame.columns = known;
   }
   return frames;
 }

@@ -27,6 +27,30 @@ std::string array(const char* type, const char* name, int components, const std:
       name, components, base64(raw));
 }
 
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (char letter : text) {
+    if (letter == '&')
+      out += "&amp;";
+    else if (letter == '<')
+      out += "&lt;";
+    else if (letter == '"')
+      out += "&quot;";
+    else
+      out += letter;
+  }
+  return out;
+}
+
+std::string column_array(const NamedColumn& column) {
+  static constexpr const char* types[] = {"UInt8", "UInt64", "Float64"};  // as in Number
+  const auto write = [&column](const auto& values) {
+    return array(types[static_cast<int>(column.info.number)], escaped(column.info.name).c_str(),
+                 static_cast<int>(column.info.components), values);
+  };
+  return std::visit(write, column.numbers);
+}
+
 std::string polydata(const Frame& frame, int dimension, const ParticleShape& shape) {
   const std::vector<double> points = in_space(frame.position, dimension);
   const std::size_t count = points.size() / 3;
@@ -43,26 +67,11 @@ std::string polydata(const Frame& frame, int dimension, const ParticleShape& sha
   text += "<PointData Scalars=\"diameter\" Vectors=\"velocity\">\n";
   text += array("Float64", "velocity", 3, in_space(frame.velocity, dimension));
   text += array("Float64", "diameter", 1, std::vector<double>(count, shape.diameter));
-  if (!frame.id.empty()) text += array("UInt64", "id", 1, frame.id);
+  for (const NamedColumn& column : frame.columns.all()) text += column_array(column);
   text += "</PointData>\n<Points>\n" + array("Float64", "position", 3, points) + "</Points>\n<Verts>\n";
   text += array("Int64", "connectivity", 1, connectivity) + array("Int64", "offsets", 1, offsets);
   text += "</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n";
   return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char letter : text) {
-    if (letter == '&')
-      out += "&amp;";
-    else if (letter == '<')
-      out += "&lt;";
-    else if (letter == '"')
-      out += "&quot;";
-    else
-      out += letter;
-  }
-  return out;
 }
 
 void write_whole(const std::string& path, const std::string& text) {

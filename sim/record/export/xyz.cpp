@@ -6,10 +6,33 @@
 #include <fmt/format.h>
 
 // Extended XYZ, https://github.com/libAtoms/extxyz: a comment line with the box and the columns. The column
-// names are those that OVITO knows: pos, velo, radius, id.
+// names are those that OVITO knows: pos, velo, radius, id; other columns keep their own, but "species" is a
+// chemical symbol here, so that ours is called species_index.
 
 namespace sandglass {
 namespace {
+
+std::string name_of(const ColumnInfo& info) {
+  return info.name == column::species.name ? "species_index" : info.name;
+}
+
+/// ":name:R:3" of each column.
+std::string properties_of(const Columns& columns) {
+  std::string text;
+  for (const NamedColumn& column : columns.all())
+    text += fmt::format(":{}:{}:{}", name_of(column.info), column.info.number == Number::real ? 'R' : 'I',
+                        column.info.components);
+  return text;
+}
+
+void put_values(std::string& text, const NamedColumn& column, std::size_t particle) {
+  std::visit(
+      [&](const auto& values) {
+        for (std::size_t k = 0; k < column.info.components; ++k)
+          fmt::format_to(std::back_inserter(text), " {}", values[particle * column.info.components + k]);
+      },
+      column.numbers);
+}
 
 std::string comment_line(const Record& record, const Frame& frame, const ParticleShape& shape) {
   const std::vector<double> edges = box_in_space(record, shape);
@@ -21,7 +44,7 @@ std::string comment_line(const Record& record, const Frame& frame, const Particl
   return fmt::format(
       "Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"0 0 0\" pbc=\"{}\" "
       "Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1{} Time={} Step={}\n",
-      edges[0], edges[1], edges[2], periodic, frame.id.empty() ? "" : ":id:I:1", frame.time, frame.step);
+      edges[0], edges[1], edges[2], periodic, properties_of(frame.columns), frame.time, frame.step);
 }
 
 std::string frame_text(const Record& record, const Frame& frame, const ParticleShape& shape) {
@@ -34,7 +57,7 @@ std::string frame_text(const Record& record, const Frame& frame, const ParticleS
     const double* v = &velocity[3 * particle];
     fmt::format_to(std::back_inserter(text), "X {} {} {} {} {} {} {}", x[0], x[1], x[2], v[0], v[1], v[2],
                    shape.diameter / 2);
-    if (!frame.id.empty()) fmt::format_to(std::back_inserter(text), " {}", frame.id[particle]);
+    for (const NamedColumn& column : frame.columns.all()) put_values(text, column, particle);
     text += '\n';
   }
   return text;

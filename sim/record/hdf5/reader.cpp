@@ -89,6 +89,17 @@ std::vector<T> Reader::numbers(const std::string& name, const Extents& extents) 
   return std::move(array.values);
 }
 
+Number Reader::number_of(const std::string& name) const try {
+  if (!has(name)) throw Failure("is missing");
+  Handle dataset(H5Dopen2(group_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  Handle type(H5Dget_type(dataset), H5Tclose);
+  if (H5Tget_class(type) == H5T_FLOAT) return Number::real;
+  if (H5Tget_class(type) != H5T_INTEGER) throw Failure("holds no numbers");
+  return H5Tget_size(type) == 1 ? Number::byte : Number::whole;
+} catch (const Failure& failure) {
+  fail(name, failure.what());
+}
+
 std::string Reader::text(const std::string& name) const try {
   if (!has(name)) throw Failure("is missing");
   Handle dataset(H5Dopen2(group_, name.c_str(), H5P_DEFAULT), H5Dclose);
@@ -130,6 +141,7 @@ std::string Reader::word(const std::string& name) const {
 
 template Array<double> Reader::numbers<double>(const std::string&) const;
 template Array<std::uint64_t> Reader::numbers<std::uint64_t>(const std::string&) const;
+template Array<std::uint8_t> Reader::numbers<std::uint8_t>(const std::string&) const;
 template std::vector<double> Reader::numbers<double>(const std::string&, const Extents&) const;
 template std::vector<std::uint64_t> Reader::numbers<std::uint64_t>(const std::string&, const Extents&) const;
 template std::vector<double> Reader::attribute<double>(const std::string&) const;

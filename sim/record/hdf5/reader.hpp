@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/base/column.hpp"
 #include "sim/record/hdf5/handle.hpp"
 #include "sim/record/hdf5/type.hpp"
 
@@ -26,7 +27,7 @@ class Reader {
   /// Names of everything in the group, sorted.
   std::vector<std::string> names() const;
 
-  /// T is double or std::uint64_t.
+  /// T is double, std::uint64_t or std::uint8_t.
   template <class T>
   Array<T> numbers(const std::string& name) const;
   /// The same, but throws Failure when the shape is not `extents`.
@@ -36,6 +37,8 @@ class Reader {
   T number(const std::string& name) const {
     return numbers<T>(name, Extents{}).front();
   }
+  /// Which of these holds the numbers as they are stored.
+  Number number_of(const std::string& name) const;
   std::string text(const std::string& name) const;
 
   /// T is double, int or std::uint64_t. Empty when there is no such attribute.

@@ -57,12 +57,14 @@ Writer Writer::group(const std::string& name) const {
 
 template <class T>
 void Writer::numbers(const std::string& name, const Extents& extents, std::span<const T> values,
-                     Packing packing) const {
+                     Packing packing, const T* absent) const {
   if (values.size() != elements(extents)) throw Failure("'" + name + "' does not have the size of its shape");
   const hid_t type = native_type<T>();
-  Handle dataset(H5Dcreate2(group_, name.c_str(), type, space_of(extents), H5P_DEFAULT,
-                            creation(extents, packing), H5P_DEFAULT),
-                 H5Dclose);
+  const Handle properties = creation(extents, packing);
+  if (absent != nullptr) require(H5Pset_fill_value(properties, type, absent));
+  Handle dataset(
+      H5Dcreate2(group_, name.c_str(), type, space_of(extents), H5P_DEFAULT, properties, H5P_DEFAULT),
+      H5Dclose);
   if (!values.empty()) require(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transfer(), values.data()));
 }
 
@@ -101,10 +103,13 @@ void Writer::link(const std::string& name, const Writer& source, const std::stri
   require(H5Lcreate_hard(source.group_, source_name.c_str(), group_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
 }
 
-template void Writer::numbers<double>(const std::string&, const Extents&, std::span<const double>,
-                                      Packing) const;
+template void Writer::numbers<double>(const std::string&, const Extents&, std::span<const double>, Packing,
+                                      const double*) const;
 template void Writer::numbers<std::uint64_t>(const std::string&, const Extents&,
-                                             std::span<const std::uint64_t>, Packing) const;
+                                             std::span<const std::uint64_t>, Packing,
+                                             const std::uint64_t*) const;
+template void Writer::numbers<std::uint8_t>(const std::string&, const Extents&, std::span<const std::uint8_t>,
+                                            Packing, const std::uint8_t*) const;
 template void Writer::attribute<double>(const std::string&, const std::vector<double>&) const;
 template void Writer::attribute<std::uint64_t>(const std::string&, const std::vector<std::uint64_t>&) const;
 template void Writer::attribute<int>(const std::string&, const std::vector<int>&) const;

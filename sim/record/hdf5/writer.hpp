@@ -13,17 +13,18 @@ namespace sandglass::hdf5 {
 /// Noise does not compress: particle data are stored plain, padded series deflated (when they are large).
 enum class Packing { plain, deflated };
 
-/// Writes into one group. Every function throws Failure with the reason. T is double, std::uint64_t or int.
+/// Writes into one group. Every function throws Failure with the reason. T is double, std::uint64_t, std::uint8_t (data only) or int (attributes only).
 class Writer {
  public:
   explicit Writer(Handle group) : group_(std::move(group)) {}
 
   Writer group(const std::string& name) const;
 
-  /// Dataset of shape `extents`, row major. Throws Failure when the number of values differs from the shape.
+  /// Dataset of shape `extents`, row major; `absent` is what readers are told to take for no value. Throws Failure when the
+  /// number of values differs from the shape.
   template <class T>
   void numbers(const std::string& name, const Extents& extents, std::span<const T> values,
-               Packing packing = Packing::plain) const;
+               Packing packing = Packing::plain, const T* absent = nullptr) const;
   /// Scalar dataset.
   template <class T>
   void number(const std::string& name, T value) const {

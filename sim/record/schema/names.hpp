@@ -11,14 +11,15 @@ namespace sandglass::schema {
 /// Of the /sandglass group. A greater minor adds names that older readers may ignore; a greater major breaks
 /// them.
 inline constexpr int version_major = 1;
-inline constexpr int version_minor = 1;
+inline constexpr int version_minor = 2;
 /// Of the H5MD convention, https://www.nongnu.org/h5md/h5md.html
 inline constexpr int h5md_major = 1;
 inline constexpr int h5md_minor = 1;
 
 /// Stands in padded places: the value, time and coordinates there are NaN.
 inline constexpr std::uint64_t no_step = std::numeric_limits<std::uint64_t>::max();
-inline constexpr std::uint64_t no_id = std::numeric_limits<std::uint64_t>::max();
+inline constexpr std::uint64_t no_number = std::numeric_limits<std::uint64_t>::max();
+inline constexpr std::uint8_t no_byte = std::numeric_limits<std::uint8_t>::max();
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 namespace names {
@@ -47,8 +48,7 @@ inline constexpr const char* all = "all";
 inline constexpr const char* box = "box";
 inline constexpr const char* position = "position";
 inline constexpr const char* velocity = "velocity";
-inline constexpr const char* id = "id";
-inline constexpr const char* spin = "spin";
+inline constexpr const char* units = "units";
 inline constexpr const char* count = "count";
 inline constexpr const char* observables = "observables";
 inline constexpr const char* parameters = "parameters";

@@ -1,6 +1,8 @@
 #include "sim/record/schema/particles.hpp"
 
+#include "sim/record/schema/columns.hpp"
 #include "sim/record/schema/names.hpp"
+#include "sim/record/schema/quantity.hpp"
 
 #include <algorithm>
 
@@ -9,38 +11,26 @@ namespace {
 
 std::size_t particles_in(const Frame& frame, std::size_t width) {
   const std::size_t count = frame.position.size() / width;
-  const bool whole = frame.position.size() == count * width && frame.velocity.size() == count * width &&
-                     (frame.id.empty() || frame.id.size() == count);
-  if (!whole) throw hdf5::Failure("a frame holds different numbers of positions, velocities and ids");
+  const auto whole = [count](const NamedColumn& column) { return column.particles() == count; };
+  if (frame.position.size() != count * width || frame.velocity.size() != count * width ||
+      !std::ranges::all_of(frame.columns.all(), whole))
+    throw hdf5::Failure("a frame holds different numbers of positions, velocities and values of a column");
   return count;
 }
 
-template <class T>
-std::vector<T> stacked(std::span<const Frame> frames, std::vector<T> Frame::*member, std::size_t row,
-                       T fill) {
-  std::vector<T> all(frames.size() * row, fill);
+std::vector<double> stacked(std::span<const Frame> frames, std::vector<double> Frame::*member,
+                            std::size_t row) {
+  std::vector<double> all(frames.size() * row, no_value);
   for (std::size_t frame = 0; frame < frames.size(); ++frame)
     std::copy((frames[frame].*member).begin(), (frames[frame].*member).end(),
               all.begin() + static_cast<std::ptrdiff_t>(frame * row));
   return all;
 }
 
-template <class T>
-std::vector<T> cut(const std::vector<T>& all, std::size_t frame, std::size_t row, std::size_t count) {
+std::vector<double> cut(const std::vector<double>& all, std::size_t frame, std::size_t row,
+                        std::size_t count) {
   const auto begin = all.begin() + static_cast<std::ptrdiff_t>(frame * row);
-  return std::vector<T>(begin, begin + static_cast<std::ptrdiff_t>(count));
-}
-
-/// Components of an angular velocity: one for disks, three for spheres; 0 when no frame holds spins.
-std::size_t spin_width(std::span<const Frame> frames, std::size_t width) {
-  std::size_t components = 0;
-  for (const Frame& frame : frames)
-    if (const std::size_t count = particles_in(frame, width); count > 0 && components == 0)
-      components = frame.spin.size() / count;
-  for (const Frame& frame : frames)
-    if (frame.spin.size() != components * particles_in(frame, width))
-      throw hdf5::Failure("a frame holds different numbers of positions and spins");
-  return components;
+  return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count));
 }
 
 /// H5MD lets elements that are sampled together share their clock.
@@ -95,31 +85,22 @@ void write_trajectory(const hdf5::Writer& group, std::span<const Frame> frames, 
   if (frames.empty()) return;
   const auto width = static_cast<std::size_t>(dimension);
   std::vector<std::uint64_t> counts;
-  for (const Frame& frame : frames) {
-    counts.push_back(particles_in(frame, width));
-    if (frame.id.empty() != frames.front().id.empty()) throw hdf5::Failure("only some frames hold ids");
-  }
+  for (const Frame& frame : frames) counts.push_back(particles_in(frame, width));
   const std::size_t most = *std::max_element(counts.begin(), counts.end());
   const hdf5::Extents extents = {frames.size(), most, width};
 
   group.numbers<std::uint64_t>(names::count, {frames.size()}, counts);
   const hdf5::Writer positions = group.group(names::position);
-  positions.numbers<double>(names::value, extents, stacked(frames, &Frame::position, most * width, no_value));
+  positions.numbers<double>(names::value, extents, stacked(frames, &Frame::position, most * width));
   write_clock(positions, frames);
   const hdf5::Writer velocities = group.group(names::velocity);
-  velocities.numbers<double>(names::value, extents,
-                             stacked(frames, &Frame::velocity, most * width, no_value));
+  velocities.numbers<double>(names::value, extents, stacked(frames, &Frame::velocity, most * width));
   link_clock(velocities, positions);
-  if (const std::size_t components = spin_width(frames, width); components > 0) {
-    const hdf5::Writer spins = group.group(names::spin);
-    spins.numbers<double>(names::value, {frames.size(), most, components},
-                          stacked(frames, &Frame::spin, most * components, no_value));
-    link_clock(spins, positions);
+  for (const ColumnInfo& info : columns_of(frames)) {
+    const hdf5::Writer element = group.group(link_of_name(info.name));
+    write_column(element, info, frames, most);
+    link_clock(element, positions);
   }
-  if (frames.front().id.empty()) return;
-  const hdf5::Writer ids = group.group(names::id);
-  ids.numbers<std::uint64_t>(names::value, {frames.size(), most}, stacked(frames, &Frame::id, most, no_id));
-  link_clock(ids, positions);
 }
 
 std::vector<Frame> read_trajectory(const hdf5::Reader& group, int dimension) {
@@ -132,30 +113,13 @@ std::vector<Frame> read_trajectory(const hdf5::Reader& group, int dimension) {
   const auto times = group.group(names::position).numbers<double>(names::time, {counts.size()});
   const auto steps = group.group(names::position).numbers<std::uint64_t>(names::step, {counts.size()});
   const auto velocities = group.group(names::velocity).numbers<double>(names::value, extents);
-  std::vector<std::uint64_t> ids;
-  if (group.has(names::id))
-    ids = group.group(names::id).numbers<std::uint64_t>(names::value, {counts.size(), most});
-  std::vector<double> spins;
-  std::size_t components = 0;
-  if (group.has(names::spin)) {
-    auto stored = group.group(names::spin).numbers<double>(names::value);
-    if (stored.extents.size() != 3 || stored.extents[0] != counts.size() || stored.extents[1] != most)
-      group.fail(names::spin, "does not hold one spin per particle and frame");
-    components = stored.extents[2];
-    spins = std::move(stored.values);
-  }
-
   std::vector<Frame> frames;
   for (std::size_t frame = 0; frame < counts.size(); ++frame) {
     const std::size_t size = counts[frame] * width;
-    frames.push_back({steps[frame],
-                      times[frame],
-                      cut(positions, frame, most * width, size),
-                      cut(velocities, frame, most * width, size),
-                      {}});
-    if (!ids.empty()) frames.back().id = cut(ids, frame, most, counts[frame]);
-    if (components > 0) frames.back().spin = cut(spins, frame, most * components, counts[frame] * components);
+    frames.push_back({steps[frame], times[frame], cut(positions, frame, most * width, size),
+                      cut(velocities, frame, most * width, size)});
   }
+  for (const std::string& link : column_links(group)) read_column(group, link, counts, frames);
   return frames;
 }
 

@@ -18,8 +18,9 @@ void read_box(const hdf5::Reader& group, Record& record);
 /// step[T] and time[T] of an H5MD element.
 void write_clock(const hdf5::Writer& element, std::span<const Frame> frames);
 
-/// H5MD elements position, velocity, id and spin (all or no frame holds spins): {value[T][N][D], step, time}; frames with fewer particles are
-/// padded and count[T] says how many are real. Nothing is written for an empty trajectory.
+/// H5MD elements position, velocity and one per column (which all or no frames with particles hold): {value[T][N][D], step,
+/// time}; frames with fewer particles are padded and count[T] says how many are real. Nothing is written for an empty
+/// trajectory.
 void write_trajectory(const hdf5::Writer& group, std::span<const Frame> frames, int dimension);
 std::vector<Frame> read_trajectory(const hdf5::Reader& group, int dimension);
 

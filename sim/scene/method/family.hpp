@@ -28,6 +28,8 @@ struct MethodFamily {
   std::vector<Preset> presets;
   std::vector<std::string> keys;  ///< of [method], beside those that every family takes
   std::vector<RefusedKeys> refused;
+  /// Keys of other families with the one word that is true here too; records of version 0.1 name them.
+  std::vector<std::pair<std::string, std::string>> neutral;
   void (*read)(Table& table, MethodOptions& options);
   void (*write)(Lines& lines, const MethodOptions& options);
   /// Rules on the values of its keys and on what they need of the rest of the scene.

@@ -26,16 +26,21 @@ std::string reason_against(const MethodFamily& family, const std::string& key, c
   return "is for the method " + list_words(takers) + " only, not for '" + preset + "'; remove it";
 }
 
+bool is_neutral(const MethodFamily& family, const Table& table, const std::string& key) {
+  const auto match = [&](const auto& entry) { return entry.first == key && table.says(key, entry.second); };
+  return std::any_of(family.neutral.begin(), family.neutral.end(), match);
+}
+
 /// Where the preset itself is wrong nobody can tell whose keys are meant.
 void refuse_keys_of_others(Table& table, const Method& method) {
   const MethodFamily& family = family_of(method);
   for (const MethodFamily* other : method_families())
     for (const std::string& key : other->keys) {
       if (holds(family.keys, key)) continue;
-      if (table.clean("preset"))
-        table.refuse(key, reason_against(family, key, method.preset));
-      else
+      if (is_neutral(family, table, key) || !table.clean("preset"))
         table.skip(key);
+      else
+        table.refuse(key, reason_against(family, key, method.preset));
     }
 }
 

@@ -33,6 +33,7 @@ MethodFamily make_family() {
       {{"contact-factor", "density", "offset", "random-offset"},
        "is not used by the method 'reservoir', which has no collisions; remove it"},
       {{"cells", "cell-size"}, "is not used by the method 'reservoir', which has no cells; remove it"}};
+  family.neutral = {{"contact-factor", "none"}, {"density", "smoothed"}, {"offset", "none"}};
   family.read = read;
   family.write = write;
   family.check = check;

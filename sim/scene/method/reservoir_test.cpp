@@ -88,6 +88,11 @@ const std::vector<Fault> faults = {
 
 INSTANTIATE_TEST_SUITE_P(Rules, Reservoir, testing::ValuesIn(faults), fault_name);
 
+TEST(ReservoirAlone, ReadsRecordsThatNameTheAbsenceOfCollisions) {
+  const std::string old = "contact-factor = 'none'\ndensity = 'smoothed'\noffset = 'none'\n[initial]";
+  EXPECT_EQ(read_scene_text(spoiled(good, {"", "[initial]", old, "", {}}), ""), read_scene_text(good, ""));
+}
+
 TEST(ReservoirAlone, NeedsCrossings) {
   const std::string text = good.substr(0, good.find("[[observe]]"));
   try {

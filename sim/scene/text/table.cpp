@@ -46,6 +46,11 @@ const Node* Table::take(const std::string& key) {
   return entry(key);
 }
 
+bool Table::says(const std::string& key, const std::string& text) const {
+  const Node* node = entry(key);
+  return node && node->kind == Node::Kind::text && node->text == text;
+}
+
 bool Table::is(const std::string& key, Node::Kind kind) const {
   const Node* node = entry(key);
   return node && node->kind == kind;

@@ -22,6 +22,8 @@ class Table {
 
   bool has(const std::string& key) const { return entry(key) != nullptr; }
   bool is(const std::string& key, Node::Kind kind) const;
+  /// The key is there, with this text.
+  bool says(const std::string& key, const std::string& text) const;
   std::string path_of(const std::string& key) const { return join_path(path_, key); }
   /// No fault so far in the value under the key, or anywhere in the table.
   bool clean(const std::string& key) const { return diagnostics_->clean(path_of(key)); }

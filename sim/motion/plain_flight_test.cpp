@@ -1,39 +1,13 @@
-#include "sim/method/dsmc/motion_stage.hpp"
-
 #include "sim/base/error.hpp"
-#include "sim/base/random.hpp"
+#include "sim/motion/test_flight.hpp"
 #include "sim/space/flight.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace sandglass::dsmc {
+namespace sandglass::motion {
 namespace {
-
-template <int D>
-Vector<D> box() {
-  return Vector<3>(2.3, 1.7, 4.9).head<D>();
-}
-
-template <int D>
-ParticleStore<D> scattered(double speed, double beyond = 0) {
-  std::array<std::uint32_t, D> cells;
-  cells.fill(5);
-  ParticleStore<D> store(Grid<D>(box<D>(), cells), true);
-  Random random(StreamKey(3, Purpose::positions, 0, 0), 0);
-  std::vector<Phase<D>> particles(2000);
-  for (Phase<D>& particle : particles)
-    for (int axis = 0; axis < D; ++axis) {
-      particle.position[axis] = box<D>()[axis] * random.uniform();
-      particle.velocity[axis] = speed * (2 * random.uniform() - 1);
-    }
-  store.assign(particles);
-  // As offsets do it: without a new sort.
-  for (Phase<D>& particle : store.phases())
-    for (int axis = 0; axis < D; ++axis) particle.position[axis] += beyond * (2 * random.uniform() - 1);
-  return store;
-}
 
 /// The slow twin: each axis by itself with the rules of flight.hpp.
 template <int D>
@@ -60,9 +34,9 @@ void expect_flight(const MotionParameters<D>& parameters, double dt) {
   for (std::size_t i = 0; i < store.size(); ++i)
     expected[store.ids()[i]] = fly(store.phases()[i], parameters, dt);
   store.begin_step();
-  const auto motion = make_motion_stage(parameters);
-  motion->advance(store, 0, 700, dt);
-  motion->advance(store, 700, store.size(), dt);
+  const auto motion = make_motion_stage<D>(parameters, box<D>());
+  motion->advance(store, 0, 700, {dt});
+  motion->advance(store, 700, store.size(), {dt});
   store.sort();
   for (std::uint32_t cell = 0; cell < store.grid().size(); ++cell)
     for (std::uint32_t i = store.offsets()[cell]; i < store.offsets()[cell + 1]; ++i) {
@@ -109,10 +83,10 @@ TEST(MotionStage, CountsCrossingsLikeArithmetic) {
   std::vector<Plane> planes{{0, kPlane, {-20, -5, 0, 5, 20}}};
   MotionParameters<2> parameters;
   parameters.planes = &planes;
-  const auto motion = make_motion_stage(parameters);
+  const auto motion = make_motion_stage<2>(parameters, box<2>());
   for (int step = 0; step < kSteps; ++step) {
     store.begin_step();
-    motion->advance(store, 0, store.size(), kDt);
+    motion->advance(store, 0, store.size(), {kDt});
     store.sort();
   }
   EXPECT_GT(up, 30'000);
@@ -134,9 +108,10 @@ TEST(MotionStage, StopsAtWhatIsNotANumber) {
         parameters.walled.fill(walled);
         parameters.gravity[2] = gravity;
         store.begin_step();
-        EXPECT_THROW(make_motion_stage(parameters)->advance(store, 0, store.size(), 0.1), RunError);
+        EXPECT_THROW(make_motion_stage<3>(parameters, box<3>())->advance(store, 0, store.size(), {0.1}),
+                     RunError);
       }
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::motion

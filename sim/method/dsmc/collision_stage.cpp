@@ -1,0 +1,26 @@
+#include "sim/method/dsmc/collision_stage.hpp"
+
+#include "sim/method/dsmc/faulty_pairs.hpp"
+
+namespace sandglass::dsmc {
+
+/// Instantiated in one file per pair rule and dimension, kernel_*.cpp.
+template <int D, class Rule>
+std::unique_ptr<CollisionStage<D>> make_kernel(const Parameters& parameters);
+
+template <int D>
+std::unique_ptr<CollisionStage<D>> make_collision_stage(const Parameters& parameters) {
+  return make_kernel<D, SmoothPairs<D>>(parameters);
+}
+
+template <int D>
+std::unique_ptr<CollisionStage<D>> make_faulty_collision_stage(const Parameters& parameters) {
+  return make_kernel<D, FaultyPairs<D>>(parameters);
+}
+
+template std::unique_ptr<CollisionStage<2>> make_collision_stage(const Parameters&);
+template std::unique_ptr<CollisionStage<3>> make_collision_stage(const Parameters&);
+template std::unique_ptr<CollisionStage<2>> make_faulty_collision_stage(const Parameters&);
+template std::unique_ptr<CollisionStage<3>> make_faulty_collision_stage(const Parameters&);
+
+}  // namespace sandglass::dsmc

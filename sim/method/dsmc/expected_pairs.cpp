@@ -1,0 +1,43 @@
+#include "sim/method/dsmc/expected_pairs.hpp"
+
+#include "sim/method/dsmc/local_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandglass::dsmc {
+
+template <int D>
+ExpectedPairs<D>::ExpectedPairs(const Parameters& parameters, const Grid<D>& grid,
+                                const std::array<bool, D>& periodic, double particles)
+    : faults_(parameters.faults),
+      path_of_one_(grid.cell_volume() /
+                   (M_SQRT2 * parameters.weight * parameters.cross_section * parameters.offset.length())),
+      particles_(grid, periodic, particles / grid.size(), window_particles(PairCount::expected)),
+      pairs_(grid, periodic, particles / grid.size(), window_particles(PairCount::expected)) {}
+
+template <int D>
+void ExpectedPairs<D>::update(std::span<const std::uint32_t> offsets) {
+  particles_.update(offsets);
+  const std::span<double> pairs = pairs_.values();
+  for (std::size_t cell = 0; cell < pairs.size(); ++cell) {
+    const double count = offsets[cell + 1] - offsets[cell];
+    pairs[cell] = count * (count - 1);
+  }
+  pairs_.sum();
+}
+
+template <int D>
+double ExpectedPairs<D>::factor(std::uint32_t cell, double contact) const {
+  const double pairs = pairs_.sum(cell), per_cell = particles_.sum(cell) / particles_.cells(cell);
+  if (pairs <= 0) return 1;
+  const double expected = faults_.expected_pairs * per_cell * (particles_.sum(cell) - 1);
+  const double weight =
+      faults_.speeds_forgotten ? 1 : weight_of_missing_pairs(path_of_one_ / (per_cell * contact));
+  return std::max(0.0, 1 + weight * (expected / pairs - 1));
+}
+
+template class ExpectedPairs<2>;
+template class ExpectedPairs<3>;
+
+}  // namespace sandglass::dsmc

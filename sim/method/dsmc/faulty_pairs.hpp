@@ -1,0 +1,43 @@
+#pragma once
+
+#include "sim/method/dsmc/smooth_pairs.hpp"
+
+namespace sandglass::dsmc {
+
+/// SmoothPairs with the planted faults of the suite, which the honest kernel must not pay for.
+template <int D>
+class FaultyPairs : public SmoothPairs<D> {
+ public:
+  using Columns = typename SmoothPairs<D>::Columns;
+
+  explicit FaultyPairs(const Parameters& parameters)
+      : SmoothPairs<D>(parameters), restitution_(parameters.restitution), faults_(parameters.faults) {}
+
+  double bound(double speed) const { return faults_.bound * speed; }
+  std::uint64_t whole(double expected, Random& random) const {
+    return faults_.fraction_truncated ? static_cast<std::uint64_t>(expected)
+                                      : SmoothPairs<D>::whole(expected, random);
+  }
+  bool accepts(const Columns& columns, const Pair& pair, double square_speed, double square_bound,
+               double uniform) const {
+    return square_speed > 0 && SmoothPairs<D>::accepts(columns, pair, square_speed, square_bound, uniform) !=
+                                   faults_.acceptance_inverted;
+  }
+  Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,
+                    Random& random) const {
+    Vector<D>& velocity_1 = columns.phases[pair.first].velocity;
+    Vector<D>& velocity_2 = columns.phases[pair.second].velocity;
+    const Vector<D> before_1 = velocity_1, before_2 = velocity_2;
+    const Vector<D> normal = contact_normal(relative, 1 / std::sqrt(square_speed),
+                                            Vector<D - 1>(faults_.impact * uniform_impact<D>(random)));
+    SmoothInelastic{restitution_}(velocity_1, velocity_2, normal);
+    velocity_2 += faults_.momentum_leak * (before_2 - velocity_2);
+    return velocity_1 - before_1;
+  }
+
+ private:
+  double restitution_;
+  Faults faults_;
+};
+
+}  // namespace sandglass::dsmc

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "sim/method/dsmc/collision_stage.hpp"
+#include "sim/physics/collision.hpp"
+
+namespace sandglass::dsmc {
+
+/// A pair rule says what the collision kernel must know of two particles: how often they collide, and what a collision
+/// does to them. This one: smooth particles of one species. Another rule (many species, rough) is a class with the same
+/// members and a line in collision_stage.cpp; all the rest of the kernel is shared.
+template <int D>
+class SmoothPairs {
+ public:
+  /// Columns that the rule reads and changes, from the first particle of a cell on.
+  struct Columns {
+    Phase<D>* phases;
+  };
+
+  explicit SmoothPairs(const Parameters& parameters)
+      : restitution_(parameters.restitution), mass_(parameters.mass) {}
+
+  Columns columns(const CollisionStep<D>& step, std::uint32_t first) const {
+    return {step.particles + first};
+  }
+
+  /// What candidates are drawn for: at least relative speed times cross-section of any pair, in units of that of
+  /// CollisionStep::coefficient, where no relative speed is above `speed`.
+  double bound(double speed) const { return speed; }
+  /// Whole candidates of an expected number: the fraction is one more candidate with that probability.
+  std::uint64_t whole(double expected, Random& random) const {
+    return static_cast<std::uint64_t>(expected + random.uniform());
+  }
+  /// Whether a candidate collides: with probability |c| sigma_12 over the bound.
+  bool accepts(const Columns&, const Pair&, double square_speed, double square_bound, double uniform) const {
+    return uniform * uniform * square_bound < square_speed;
+  }
+  /// Changes both particles and returns the change of the first velocity. `relative` is v_1 - v_2.
+  Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,
+                    Random& random) const {
+    const Vector<D> change = smooth_kick(relative, square_speed, restitution_, random);
+    columns.phases[pair.first].velocity += change;
+    columns.phases[pair.second].velocity -= change;
+    return change;
+  }
+  /// Sum over both partners of m v' . displacement when they move by +-`displacement`.
+  double transfer(const Columns& columns, const Pair& pair, const Vector<D>& displacement) const {
+    const Phase<D>&one = columns.phases[pair.first], &two = columns.phases[pair.second];
+    return mass_ * (one.velocity - two.velocity).dot(displacement);
+  }
+
+ private:
+  double restitution_, mass_;
+};
+
+}  // namespace sandglass::dsmc

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "sim/motion/motion_kernel.hpp"
+#include "sim/motion/plain_flight.hpp"
+#include "sim/motion/surface_flight.hpp"
+
+namespace sandglass::motion {
+
+/// Calls function.template operator()<Flight, Crossings>(surroundings) for what the parameters ask for. Included by the
+/// files that compile a kernel for each choice.
+template <class Flight, class Surroundings, class Function>
+auto with_planes(const Surroundings& surroundings, const std::vector<Plane>* planes, Function function) {
+  if (planes != nullptr && !planes->empty()) return function.template operator()<Flight, true>(surroundings);
+  return function.template operator()<Flight, false>(surroundings);
+}
+
+template <int D, bool Gravity, class Function>
+auto with_plain_walls(const MotionParameters<D>& parameters, Function function) {
+  for (bool walled : parameters.walled)
+    if (walled)
+      return with_planes<PlainFlight<D, Gravity, Walls::specular>>(parameters, parameters.planes, function);
+  return with_planes<PlainFlight<D, Gravity, Walls::none>>(parameters, parameters.planes, function);
+}
+
+template <int D, class Function>
+auto choose_flight(const MotionParameters<D>& parameters, const Vector<D>& box, Function function) {
+  if (!are_plain(parameters, box))
+    return with_planes<SurfaceFlight<D>>(Surfaces<D>(parameters, box), parameters.planes, function);
+  return parameters.gravity.isZero(0) ? with_plain_walls<D, false>(parameters, function)
+                                      : with_plain_walls<D, true>(parameters, function);
+}
+
+template <int D>
+std::unique_ptr<MotionStage<D>> make_motion_stage(const MotionParameters<D>& parameters,
+                                                  const Vector<D>& box) {
+  return choose_flight(parameters, box, []<class Flight, bool Crossings>(const auto& surroundings) {
+    return std::unique_ptr<MotionStage<D>>(std::make_unique<MotionKernel<Flight, Crossings>>(surroundings));
+  });
+}
+
+template <int D>
+std::unique_ptr<RefusableStage<D>> make_refusable_stage(const MotionParameters<D>& parameters,
+                                                        const Vector<D>& box) {
+  return choose_flight(parameters, box, []<class Flight, bool Crossings>(const auto& surroundings) {
+    return std::unique_ptr<RefusableStage<D>>(
+        std::make_unique<RefusableKernel<Flight, Crossings>>(surroundings));
+  });
+}
+
+}  // namespace sandglass::motion

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "sim/motion/motion_stage.hpp"
+#include "sim/space/cell_locator.hpp"
+
+namespace sandglass::motion {
+
+/// The loop over particles, for a `Flight` that carries one of them through the step.
+template <class Flight, bool Crossings, int D = Flight::kDimension>
+class MotionKernel final : public MotionStage<D> {
+ public:
+  explicit MotionKernel(typename Flight::Surroundings surroundings)
+      : surroundings_(std::move(surroundings)) {}
+
+  void advance(ParticleStore<D>& store, std::size_t first, std::size_t last,
+               const MotionStep& step) const override {
+    const CellLocator<D> locator(store.grid());
+    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+    Phase<D>* particles = store.phases().data();
+    auto* places = store.places();
+    std::uint32_t* arrivals = store.arrivals();
+    for (std::size_t i = first; i < last; ++i) {
+      const auto position = flight.template fly<Crossings>(particles[i], i);
+      const std::uint32_t cell = locator.cell_of(position);
+      places[i] = {cell, arrivals[cell]++};
+    }
+  }
+
+ private:
+  typename Flight::Surroundings surroundings_;
+};
+
+template <class Flight, bool Crossings, int D = Flight::kDimension>
+class RefusableKernel final : public RefusableStage<D> {
+ public:
+  explicit RefusableKernel(typename Flight::Surroundings surroundings)
+      : surroundings_(std::move(surroundings)) {}
+
+  void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
+               std::uint32_t* targets) const override {
+    const CellLocator<D> locator(store.grid());
+    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+    const auto particles = store.phases();
+    // Two of them, for a register reads past the end of the first.
+    Phase<D> copy[2] = {};
+    for (std::size_t i = first; i < last; ++i) {
+      copy[0] = particles[i];
+      targets[i] = locator.cell_of(flight.template fly<false>(copy[0], i));
+    }
+  }
+
+  void advance_accepted(ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
+                        const std::uint8_t* refused) const override {
+    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+    Phase<D>* particles = store.phases().data();
+    for (std::size_t i = first; i < last; ++i)
+      if (!refused[i]) flight.template fly<Crossings>(particles[i], i);
+  }
+
+ private:
+  typename Flight::Surroundings surroundings_;
+};
+
+}  // namespace sandglass::motion

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "sim/base/error.hpp"
+#include "sim/motion/free_flight.hpp"
+#include "sim/motion/parameters.hpp"
+#include "sim/space/flight.hpp"
+
+#include <span>
+
+namespace sandglass::motion {
+
+enum class Walls { none, specular };
+
+template <int D>
+[[gnu::always_inline]] inline void require_finite(const Phase<D>& particle) {
+  if (!particle.position.allFinite() || !particle.velocity.allFinite())
+    throw RunError(
+        "a position or velocity is not a finite number: time step too long, or too strong a force?");
+}
+
+/// The flight of one step in a periodic box or between smooth elastic walls at rest, without obstacles.
+template <int D, bool Gravity, Walls Sides>
+class PlainFlight {
+ public:
+  static constexpr int kDimension = D;
+  using Surroundings = MotionParameters<D>;
+  using Lane = Lanes<D>;
+
+  PlainFlight(const Surroundings& parameters, const Vector<D>& box, const MotionStep& step,
+              std::span<const std::uint32_t>)
+      : parameters_(parameters), box_(box), dt_(step.dt), flight_(parameters.gravity, box, step.dt) {}
+
+  /// Free flight where it stays in the box, which is nearly always; else axis by axis with the boundaries. The answer is
+  /// where it ends; planes are counted if `Counts`.
+  template <bool Counts>
+  [[gnu::always_inline]] typename Lane::Real fly(Phase<D>& particle, std::size_t) const {
+    if constexpr (Counts) count_crossings(particle);
+    double* components = particle.position.data();
+    const typename Lane::Real start = Lane::load(components), velocity = Lane::load(components + D);
+    const typename Lane::Real position = flight_.template end<Gravity>(start, velocity);
+    bool stays = flight_.inside(position);
+    if constexpr (Sides == Walls::specular) {
+      // Gravity bends the path away from its tangent and no further than the chord from start to end.
+      if constexpr (Gravity) stays = stays && flight_.inside(flight_.template end<false>(start, velocity));
+      if (parameters_.offsets) stays = stays && flight_.inside(start);
+    }
+    if (!stays) [[unlikely]]
+      return fly_bounded(parameters_, box_, dt_, particle);
+    Lane::store(components, position);
+    if constexpr (Gravity) Lane::store(components + D, velocity + flight_.gain());
+    return position;
+  }
+
+ private:
+  // Static: an object that no function sees stays in registers.
+  [[gnu::noinline]] static typename Lane::Real fly_bounded(const Surroundings& parameters,
+                                                           const Vector<D>& box, double dt,
+                                                           Phase<D>& particle) {
+    for (int axis = 0; axis < D; ++axis) fly_along(parameters, axis, box[axis], dt, particle);
+    require_finite(particle);  // what is not a number is never inside the box: it always comes by here
+    return Lane::from(particle.position, 0);
+  }
+
+  static void fly_along(const Surroundings& parameters, int axis, double length, double dt,
+                        Phase<D>& particle) {
+    double& x = particle.position[axis];
+    double& velocity = particle.velocity[axis];
+    if constexpr (Sides == Walls::specular) {
+      if (parameters.walled[static_cast<std::size_t>(axis)]) {
+        if (parameters.offsets) x = mirror(x, length);
+        if (Gravity && parameters.gravity[axis] != 0)
+          fall_between_walls(x, velocity, parameters.gravity[axis], dt, length);
+        else
+          fly_between_walls(x, velocity, dt, length);
+        return;
+      }
+    }
+    x += dt * (velocity + 0.5 * dt * parameters.gravity[axis]);
+    velocity += dt * parameters.gravity[axis];
+    x = wrap(x, length, 1 / length);
+  }
+
+  /// Planes are normal to periodic axes without gravity: the signed number of passages is that of the unwrapped path.
+  [[gnu::always_inline]] void count_crossings(const Phase<D>& particle) const {
+    for (Plane& plane : *parameters_.planes) {
+      const double length = box_[plane.axis()], velocity = particle.velocity[plane.axis()];
+      const double before = wrap(particle.position[plane.axis()], length, 1 / length) - plane.position();
+      const double after = before + velocity * dt_;
+      if ((before < 0) == (after < 0) && std::abs(after) < length) [[likely]]
+        continue;
+      const double passages = std::floor(after / length) - std::floor(before / length);
+      for (int i = 0; i < std::abs(static_cast<int>(passages)); ++i) plane.count(velocity);
+    }
+  }
+
+  const MotionParameters<D>& parameters_;
+  const Vector<D>& box_;
+  double dt_;
+  FreeFlight<D> flight_;
+};
+
+}  // namespace sandglass::motion

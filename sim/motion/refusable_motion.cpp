@@ -1,0 +1,42 @@
+#include "sim/motion/refusable_motion.hpp"
+
+namespace sandglass::motion {
+
+template <int D>
+void RefusableMotion<D>::advance(ParticleStore<D>& store, const MotionStep& step, EntryRule<D>& rule) {
+  const std::size_t count = store.size();
+  targets_.resize(count);
+  refused_.assign(count, 0);
+  entering_.assign(store.grid().size(), 0);
+  stage_->propose(store, 0, count, step, targets_.data());
+  count_entering(store.offsets());
+  rule.decide({store.grid(), store.offsets(), targets_, entering_, refused_});
+  stage_->advance_accepted(store, 0, count, step, refused_.data());
+  take_places(store);
+}
+
+template <int D>
+void RefusableMotion<D>::count_entering(std::span<const std::uint32_t> offsets) {
+  for (std::uint32_t cell = 0; cell + 1 < offsets.size(); ++cell)
+    for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i)
+      entering_[targets_[i]] += targets_[i] != cell;
+}
+
+/// In the order (old cell, old place), whatever the order of the flights.
+template <int D>
+void RefusableMotion<D>::take_places(ParticleStore<D>& store) const {
+  const auto offsets = store.offsets();
+  auto* places = store.places();
+  std::uint32_t* arrivals = store.arrivals();
+  store.begin_step();
+  for (std::uint32_t cell = 0; cell + 1 < offsets.size(); ++cell)
+    for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i) {
+      const std::uint32_t to = refused_[i] ? cell : targets_[i];
+      places[i] = {to, arrivals[to]++};
+    }
+}
+
+template class RefusableMotion<2>;
+template class RefusableMotion<3>;
+
+}  // namespace sandglass::motion

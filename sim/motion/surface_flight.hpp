@@ -1,0 +1,107 @@
+#pragma once
+
+#include "sim/motion/bounded_flight.hpp"
+#include "sim/motion/free_flight.hpp"
+#include "sim/motion/plain_flight.hpp"
+#include "sim/motion/stream_index.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace sandglass::motion {
+
+/// The flight of one step between walls and obstacles of every kind: free where nothing can be in the way, else from
+/// surface to surface.
+template <int D>
+class SurfaceFlight {
+ public:
+  static constexpr int kDimension = D;
+  using Surroundings = Surfaces<D>;
+  using Lane = Lanes<D>;
+  using Real = typename Lane::Real;
+
+  /// `offsets`: first particle of each cell before the step.
+  SurfaceFlight(const Surfaces<D>& surfaces, const Vector<D>& box, const MotionStep& step,
+                std::span<const std::uint32_t> offsets)
+      : surfaces_(surfaces),
+        key_(step.key),
+        offsets_(offsets),
+        free_(surfaces.parameters.gravity, box, step.dt),
+        bounded_(surfaces, box, step),
+        box_(Lane::from(box, 0)) {
+    Vector<D> low = Vector<D>::Zero(), high = box;
+    for (const WallSurface<D>& wall : surfaces.walls)
+      (wall.place.high ? high : low)[wall.place.axis] = wall.reach(step.time, step.dt);
+    low_ = Lane::from(low, -HUGE_VAL);
+    high_ = Lane::from(high, HUGE_VAL);
+  }
+
+  /// The answer is where the flight ends; what a moving wall has carried out of the box counts as at its edge.
+  template <bool Counts>
+  [[gnu::always_inline]] Real fly(Phase<D>& particle, std::size_t i) const {
+    double* components = particle.position.data();
+    const Real start = Lane::load(components), velocity = Lane::load(components + D);
+    const Real end = free_.template end<true>(start, velocity);
+    // The path lies within its start, its end and the end of its tangent.
+    const Real tangent = free_.template end<false>(start, velocity);
+    if (!(inside(start) && inside(end) && inside(tangent) && clear(start, end, tangent))) [[unlikely]]
+      return fly_bounded<Counts>(particle, i);
+    if constexpr (Counts) count_crossings(start, end, velocity);
+    Lane::store(components, end);
+    Lane::store(components + D, velocity + free_.gain());
+    return in_box(end);
+  }
+
+ private:
+  bool inside(const Real& position) const {
+    return all<D>((position >= low_) & (position < high_));  // false for what is not a number
+  }
+  Real in_box(const Real& position) const {
+    const Real above = position > 0 ? position : Real{};
+    return above < box_ ? above : box_;
+  }
+
+  /// Whether no obstacle is near; a long path is not looked along.
+  bool clear(const Real& start, const Real& end, const Real& tangent) const {
+    if (surfaces_.obstacles.empty()) return true;
+    Real low = start < end ? start : end, high = start < end ? end : start;
+    low = tangent < low ? tangent : low;
+    high = tangent < high ? high : tangent;
+    Vector<D> from, to;
+    Lane::store(from.data(), low);
+    Lane::store(to.data(), high);
+    return (to - from).maxCoeff() < 4 * surfaces_.obstacles.cell_edge() &&
+           !surfaces_.obstacles.touches_any(from, to);
+  }
+
+  /// The path stays in the box: it passes a plane once or not at all.
+  void count_crossings(const Real& start, const Real& end, const Real& velocity) const {
+    for (Plane& plane : *surfaces_.parameters.planes)
+      if ((start[plane.axis()] < plane.position()) != (end[plane.axis()] < plane.position()))
+        plane.count(velocity[plane.axis()]);
+  }
+
+  template <bool Counts>
+  [[gnu::noinline]] Real fly_bounded(Phase<D>& particle, std::size_t i) const {
+    require_finite(particle);
+    Random random = surfaces_.draws ? stream_of(i) : Random();
+    bounded_.fly(particle, random, Counts ? surfaces_.parameters.planes : nullptr);
+    require_finite(particle);
+    return in_box(Lane::from(particle.position, 0));
+  }
+
+  Random stream_of(std::size_t i) const {
+    const auto next = std::upper_bound(offsets_.begin(), offsets_.end(), i);
+    const auto cell = static_cast<std::uint32_t>(next - offsets_.begin() - 1);
+    return {key_, stream_index(cell, static_cast<std::uint32_t>(i - offsets_[cell]))};
+  }
+
+  const Surfaces<D>& surfaces_;
+  StreamKey key_;
+  std::span<const std::uint32_t> offsets_;
+  FreeFlight<D> free_;
+  BoundedFlight<D> bounded_;
+  Real low_, high_, box_;
+};
+
+}  // namespace sandglass::motion

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "sim/space/grid.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace sandglass {
+
+/// Which cells of a grid share a side, across periodic edges too, and these pairs on a checkerboard: within one colour of
+/// an axis no cell has two partners, so that its pairs may be worked on in any order.
+template <int D>
+class Neighbours {
+ public:
+  Neighbours(const Grid<D>& grid, const std::array<bool, D>& periodic) : periodic_(periodic) {
+    std::uint32_t stride = 1;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      cells_[axis] = grid.cells(static_cast<int>(axis));
+      stride_[axis] = stride;
+      stride *= cells_[axis];
+    }
+    size_ = stride;
+  }
+
+  /// The next cell along an axis; none behind a wall. A periodic axis of one cell is its own neighbour.
+  std::optional<std::uint32_t> neighbour(std::uint32_t cell, int axis, bool up) const {
+    const auto a = static_cast<std::size_t>(axis);
+    const std::uint32_t place = coordinate(cell, a), last = cells_[a] - 1;
+    if (place != (up ? last : 0)) return up ? cell + stride_[a] : cell - stride_[a];
+    if (!periodic_[a]) return std::nullopt;
+    return up ? cell - last * stride_[a] : cell + last * stride_[a];
+  }
+
+  /// Three where a periodic axis has an odd number of cells, else two.
+  int colours(int axis) const {
+    const auto a = static_cast<std::size_t>(axis);
+    return periodic_[a] && cells_[a] % 2 == 1 ? 3 : 2;
+  }
+  /// Calls visit(cell, next cell up the axis) for every pair of one colour. All colours together give every pair of
+  /// different cells once; two cells on a periodic axis have two sides in common and come twice.
+  template <class Visit>
+  void for_each_pair(int axis, int colour, Visit visit) const {
+    const auto a = static_cast<std::size_t>(axis);
+    for (std::uint32_t cell = 0; cell < size_; ++cell) {
+      const auto next = neighbour(cell, axis, true);
+      if (next && *next != cell && colour_of(coordinate(cell, a), axis) == colour) visit(cell, *next);
+    }
+  }
+
+ private:
+  std::uint32_t coordinate(std::uint32_t cell, std::size_t axis) const {
+    return cell / stride_[axis] % cells_[axis];
+  }
+  /// The pair across the edge of an odd periodic axis has a colour of its own.
+  int colour_of(std::uint32_t place, int axis) const {
+    if (colours(axis) == 3 && place + 1 == cells_[static_cast<std::size_t>(axis)]) return 2;
+    return static_cast<int>(place % 2);
+  }
+
+  std::array<bool, D> periodic_;
+  std::array<std::uint32_t, D> cells_, stride_;
+  std::uint32_t size_;
+};
+
+}  // namespace sandglass

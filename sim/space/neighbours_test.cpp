@@ -1,0 +1,80 @@
+#include "sim/space/neighbours.hpp"
+
+#include <map>
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace sandglass {
+namespace {
+
+Grid<3> grid() { return {Vector<3>(4, 3, 5), {4, 3, 5}}; }
+
+/// Twin: the cell that holds the middle of this one, shifted by one cell and wrapped.
+std::optional<std::uint32_t> by_position(const Vector<3>& middle, int axis, bool up, bool periodic) {
+  Vector<3> shifted = middle;
+  shifted[axis] += up ? 1 : -1;
+  const double length = grid().box()[axis];
+  if (shifted[axis] < 0 || shifted[axis] > length) {
+    if (!periodic) return std::nullopt;
+    shifted[axis] += up ? -length : length;
+  }
+  return grid().cell_of(shifted);
+}
+
+TEST(Neighbours, AreTheCellsBesideThis) {
+  const std::array<bool, 3> periodic{true, false, true};
+  const Neighbours<3> neighbours(grid(), periodic);
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 5; ++z) {
+        const Vector<3> middle(x + 0.5, y + 0.5, z + 0.5);
+        for (int axis = 0; axis < 3; ++axis)
+          for (bool up : {false, true})
+            EXPECT_EQ(neighbours.neighbour(grid().cell_of(middle), axis, up),
+                      by_position(middle, axis, up, periodic[static_cast<std::size_t>(axis)]));
+      }
+}
+
+using Pairs = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
+
+/// Pairs along one axis; in no colour has a cell two partners.
+Pairs pairs_along(const Neighbours<3>& neighbours, int axis) {
+  Pairs pairs;
+  for (int colour = 0; colour < neighbours.colours(axis); ++colour) {
+    std::set<std::uint32_t> taken;
+    neighbours.for_each_pair(axis, colour, [&](std::uint32_t low, std::uint32_t high) {
+      EXPECT_TRUE(taken.insert(low).second);
+      EXPECT_TRUE(taken.insert(high).second);
+      EXPECT_EQ(neighbours.neighbour(low, axis, true), high);
+      ++pairs[{low, high}];
+    });
+  }
+  return pairs;
+}
+
+TEST(Neighbours, CheckerboardHasEveryPairOnce) {
+  const Neighbours<3> periodic(grid(), {true, true, true}), walled(grid(), {false, false, false});
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::uint32_t cells = grid().cells(axis), lines = grid().size() / cells;
+    EXPECT_EQ(periodic.colours(axis), cells % 2 == 1 ? 3 : 2);
+    EXPECT_EQ(walled.colours(axis), 2);
+    const Pairs around = pairs_along(periodic, axis), between = pairs_along(walled, axis);
+    EXPECT_EQ(around.size(), lines * cells);
+    EXPECT_EQ(between.size(), lines * (cells - 1));
+    for (const auto& [pair, count] : around) EXPECT_EQ(count, 1);
+  }
+}
+
+TEST(Neighbours, ASingleCellHasNoPair) {
+  const Neighbours<2> neighbours(Grid<2>(Vector<2>(1, 1), {1, 1}), {true, false});
+  EXPECT_EQ(neighbours.neighbour(0, 0, true), 0u);
+  EXPECT_EQ(neighbours.neighbour(0, 1, true), std::nullopt);
+  for (int axis : {0, 1})
+    for (int colour = 0; colour < neighbours.colours(axis); ++colour)
+      neighbours.for_each_pair(axis, colour, [](std::uint32_t, std::uint32_t) { ADD_FAILURE(); });
+}
+
+}  // namespace
+}  // namespace sandglass

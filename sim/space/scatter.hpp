@@ -1,0 +1,37 @@
+#pragma once
+
+#include "sim/space/huge_page_allocator.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace sandglass {
+
+template <class T>
+using Column = std::vector<T, HugePageAllocator<T>>;
+
+/// CellPlace of a particle after the coming sort: its cell and its rank among the arrivals there.
+struct CellPlace {
+  std::uint32_t cell, rank;
+};
+
+/// Every address is known beforehand: the line of a particle this far ahead is on its way while others are copied.
+inline constexpr std::size_t kAhead = 12;
+
+/// Copies every value to its place; `begin` is where each cell begins.
+template <class T>
+void scatter(const Column<T>& from, const Column<CellPlace>& places, const std::uint32_t* begin,
+             Column<T>& to) {
+  const T* source = from.data();
+  const CellPlace* place = places.data();
+  T* target = to.data();
+  const auto slot = [begin, place](std::size_t i) { return begin[place[i].cell] + place[i].rank; };
+  const std::size_t count = from.size(), ahead = count > kAhead ? count - kAhead : 0;
+  for (std::size_t i = 0; i < ahead; ++i) {
+    __builtin_prefetch(target + slot(i + kAhead), 1);
+    target[slot(i)] = source[i];
+  }
+  for (std::size_t i = ahead; i < count; ++i) target[slot(i)] = source[i];
+}
+
+}  // namespace sandglass
