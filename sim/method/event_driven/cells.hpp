@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/method/event_driven/candidates.hpp"
-#include "sim/space/particle_store.hpp"
+#include "sim/space/scatter.hpp"
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@ TEST(Faults, TheFaultyEngineWithASmallFaultIsTheHonestOneToRounding) {
   const auto left = by_id(*honest), right = by_id(*faulty);
   for (std::size_t i = 0; i < left.size(); ++i)
     EXPECT_LT((left[i].position - right[i].position).norm(), 1e-9);
-  EXPECT_TRUE(faulty->view().species.empty());
+  EXPECT_TRUE(faulty->view().columns.get(column::species).empty());
 }
 
 TEST(Faults, ALeakLosesMomentum) {

@@ -2,6 +2,7 @@
 
 #include "sim/method/event_driven/particle.hpp"
 #include "sim/method/simulator.hpp"
+#include "sim/space/scatter.hpp"
 
 namespace sandglass::event_driven {
 

@@ -15,7 +15,7 @@ std::vector<Vector<2>> velocities_of_seven(const std::vector<Start>& starts) {
   gas.add_walls(0, {WallKind::random_tangential_sign});
   for (const Start& start : starts) {
     gas.add(start.phase.position, start.phase.velocity);
-    gas.particles.ids.push_back(start.id);
+    gas.particles.columns.append(column::id, start.id);
   }
   gas.parameters.particles = 3;  // the same cells whoever is there
   Recorder<2> trace;
