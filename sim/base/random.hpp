@@ -14,7 +14,7 @@ enum class Purpose : std::uint64_t {
   collisions = 3,     ///< index: cell
   equilibration = 4,  ///< index: cell; the elastic collisions before time zero
   crossings = 5,      ///< index: direction; velocities drawn from the flux distribution
-  walls = 6,          ///< index: event; what a wall or an obstacle draws
+  walls = 6,          ///< step: particle, index: its changes of flight; draws at a wall or an obstacle
   species = 7,        ///< index: 0; which particle is of which species
   spins = 8,          ///< index: particle
 };

@@ -9,8 +9,8 @@
 
 namespace sandglass::event_driven {
 
-/// Particles found near a place. Goes out with the first one of each cell; who stands behind these in their cells joins the
-/// list while it is worked off. Storage that grows and is never given back.
+/// Particles found near a place. It begins with the first one of each cell; the next in the same cell is added when a
+/// particle is taken. Storage that grows and is never given back.
 class Candidates {
  public:
   static constexpr std::uint32_t kAtOnce = 4;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/method/event_driven/candidates.hpp"
-#include "sim/space/particle_store.hpp"
+#include "sim/space/scatter.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ template <int D>
 class Cells {
  public:
   /// `edge` is the least edge of a cell. A periodic axis has four at least: in fewer, particles of neighbouring cells may
-  /// stand more than half a box apart, and it is not the nearest image that they will meet.
+  /// stand more than half a box apart, and it is not the nearest image that they will touch.
   Cells(const Geometry<D>& geometry, double edge);
 
   void clear();

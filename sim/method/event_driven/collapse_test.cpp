@@ -57,7 +57,7 @@ TEST(Collapse, ThreeOnALineIfAndOnlyIfTheRestitutionIsBelowTheCriticalOne) {
 }
 
 /// A row of touching disks all around the box: the momentum goes round and round at one instant.
-TEST(Collapse, ARingOfTouchingDisksIsToldAndNotFollowedForEver) {
+TEST(Collapse, ARingOfTouchingDisksIsRefusedAndNotFollowedForEver) {
   Parameters<2> parameters;
   parameters.geometry = {Vector<2>(6, 6), {true, true}};
   parameters.particles = 6;

@@ -5,5 +5,10 @@ namespace sandglass::event_driven {
 template std::unique_ptr<Simulator<2>> make_engine<Choice<2, Falling<2>, false>>(const Parameters<2>&,
                                                                                  Agents<2>, const Streams&,
                                                                                  EventSink<2>*);
+template std::unique_ptr<Simulator<2>> make_engine<Choice<2, Falling<2>, true>>(const Parameters<2>&,
+                                                                                Agents<2>, const Streams&,
+                                                                                EventSink<2>*);
+template std::unique_ptr<Simulator<2>> make_engine<FaultyChoice<2>>(const Parameters<2>&, Agents<2>,
+                                                                    const Streams&, EventSink<2>*);
 
 }  // namespace sandglass::event_driven

@@ -6,7 +6,7 @@
 
 namespace sandglass::event_driven {
 
-// For the files that compile an engine, one choice each.
+// For the files that compile engines.
 
 template <class C>
 std::unique_ptr<Simulator<C::D>> make_engine(const Parameters<C::D>& parameters, Agents<C::D> agents,

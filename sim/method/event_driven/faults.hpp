@@ -2,6 +2,8 @@
 
 #include "sim/method/event_driven/wall_agent.hpp"
 
+#include <algorithm>
+
 namespace sandglass::event_driven {
 
 /// Faults that the mutant suite plants in the engine.
@@ -21,7 +23,12 @@ struct AgentFaults {
   bool probability_ignored = false;  ///< every particle bounces back
   bool velocity_dropped = false;     ///< walls stand still, their vibration aside
 
-  WallRule changed(WallRule rule) const;
+  WallRule changed(WallRule rule) const {
+    rule.surface.normal.value = std::min(1.0, restitution * rule.surface.normal.value);
+    rule.temperature *= temperature;
+    if (probability_ignored) rule.probability = 1;
+    return rule;
+  }
   template <int D>
   WallPlace<D> changed(WallPlace<D> place) const {
     if (velocity_dropped) place.velocity.setZero();

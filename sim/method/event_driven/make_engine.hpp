@@ -5,7 +5,7 @@
 
 namespace sandglass::event_driven {
 
-/// The engine of a Choice. Each choice is compiled in a file of its own, engine_<dimension>_<choice>.cpp.
+/// The engine of a Choice. They are compiled by dimension and flight, in engine_<dimension>_<flight>.cpp.
 template <class C>
 std::unique_ptr<Simulator<C::D>> make_engine(const Parameters<C::D>& parameters, Agents<C::D> agents,
                                              const Streams& streams, EventSink<C::D>* trace);
