@@ -54,7 +54,7 @@ Dsmc<D> simulation(std::unique_ptr<CellStage<D>> stage, double cross_section = 0
   cells.fill(kCells);
   Parameters parameters;
   parameters.cross_section = cross_section;
-  MotionParameters<D> motion;
+  motion::MotionParameters<D> motion;
   motion.walled[0] = true;
   Dsmc<D> dsmc(Grid<D>(Vector<D>::Constant(kCells), cells), parameters, motion, {});
   if (stage) dsmc.add(std::move(stage));
@@ -135,8 +135,8 @@ TEST(CellStage, CostsNoMemoryWhereThereIsNone) {
 }
 
 TEST(CellStage, EnergyIsThatOfTheParticles) {
-  ParticleStore<3> store(Grid<3>(Vector<3>(1, 1, 1), {1, 1, 1}), false);
-  store.assign(std::vector<Phase<3>>{{{0, 0, 0}, {1, 2, 2}}, {{0, 0, 0}, {0, 0, 4}}});
+  ParticleStore<3> store(Grid<3>(Vector<3>(1, 1, 1), {1, 1, 1}));
+  store.assign({{{{0, 0, 0}, {1, 2, 2}}, {{0, 0, 0}, {0, 0, 4}}}, {}});
   CellFields<3> fields;
   fields.update({false, false, true}, store);
   EXPECT_EQ(fields.energy, std::vector<double>{12.5});

@@ -81,7 +81,7 @@ Deviations deviations(const Parameters& parameters, double fraction, double per_
   const auto edge = static_cast<std::uint32_t>(std::lround(std::pow(15'000 / per_cell, 1.0 / D)));
   const Grid<D> grid = cubic_grid<D>(edge, kCellEdge);
   const auto count = static_cast<std::size_t>(per_cell * grid.size());
-  MotionParameters<D> motion;
+  motion::MotionParameters<D> motion;
   motion.offsets = true;
   Dsmc<D> dsmc(grid, parameters, motion, {});
   dsmc.assign({maxwellian<D>(count, edge * kCellEdge), {}});
