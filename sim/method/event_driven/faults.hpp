@@ -15,7 +15,7 @@ struct Faults {
   bool any() const { return momentum_leak != 0 || stale_partner || blind_crossing; }
 };
 
-/// Faults that it plants in what walls and obstacles are told. Whoever makes the agents applies them.
+/// Faults that it plants in walls and obstacles. Whoever makes the agents applies them.
 struct AgentFaults {
   double restitution = 1;            ///< factor on the normal restitution, which stays at most 1
   double temperature = 1;            ///< factor on that of a thermal wall

@@ -83,7 +83,7 @@ void check_particles(const Scene& scene, Refusals& refusals) {
                    "takes every particle for a real one: it must be 1");
 }
 
-/// What speaks of the particles in a box.
+/// What needs particles in a box.
 void check_contents(const Scene& scene, Refusals& refusals) {
   const Initial plain;
   const Initial& initial = scene.initial;
