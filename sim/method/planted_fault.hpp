@@ -1,8 +1,5 @@
 #pragma once
 
-#include "sim/base/error.hpp"
-#include "sim/base/spelling.hpp"
-
 #include <string>
 #include <vector>
 
@@ -21,25 +18,22 @@ struct FaultEntry {
   Change plant;
 };
 
-template <class Change>
-std::vector<PlantedFault> names_of_faults(const std::vector<FaultEntry<Change>>& entries) {
+/// The faults of several lists.
+template <class... Change>
+std::vector<PlantedFault> names_of_faults(const std::vector<FaultEntry<Change>>&... lists) {
   std::vector<PlantedFault> faults;
-  for (const FaultEntry<Change>& entry : entries) faults.push_back(entry.fault);
+  const auto append = [&faults](const auto& list) {
+    for (const auto& entry : list) faults.push_back(entry.fault);
+  };
+  (append(lists), ...);
   return faults;
 }
 
-/// The change behind a name; null for the empty name, the honest program. Throws InputError for a fault that the
-/// family does not know.
-template <class Change>
-const Change* find_fault(const std::vector<FaultEntry<Change>>& entries, const std::string& family,
-                         const std::string& name) {
-  if (name.empty()) return nullptr;
-  std::vector<std::string> names;
-  for (const FaultEntry<Change>& entry : entries) {
-    if (entry.fault.name == name) return &entry.plant;
-    names.push_back(entry.fault.name);
-  }
-  throw InputError(unknown_word("planted fault of the family '" + family + "'", name, names));
+/// Changes what a method is told, if the fault stands in this list.
+template <class Change, class... Told>
+void plant(const std::vector<FaultEntry<Change>>& list, const std::string& name, Told&&... told) {
+  for (const FaultEntry<Change>& entry : list)
+    if (entry.fault.name == name) entry.plant(told...);
 }
 
 }  // namespace sandglass

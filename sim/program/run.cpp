@@ -87,10 +87,16 @@ int run_to_record(const Options& options, const std::string& path, Work work) {
   return all_well;
 }
 
+/// What the plan of the scene warns of, on the error stream, so that nobody has to ask for the plan to hear it.
+void warn(const Scene& scene) {
+  for (const std::string& warning : plan(scene).warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
 }  // namespace
 
 int run(const Options& options) {
   Scene scene = read_scene_file(options.subject);
+  if (!options.quiet) warn(scene);
   if (options.seed) scene.run.seed = *options.seed;
   const std::string path = record_path(options, scene);
   scene.output.record = path;

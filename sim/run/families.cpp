@@ -1,5 +1,7 @@
 #include "sim/run/families.hpp"
 
+#include "sim/base/error.hpp"
+#include "sim/base/spelling.hpp"
 #include "sim/method/dsmc/family.hpp"
 #include "sim/method/event_driven/family.hpp"
 #include "sim/method/reservoir/family.hpp"
@@ -41,14 +43,27 @@ const std::vector<PlantedFault>& planted_faults() {
   return all;
 }
 
+namespace {
+/// Throws InputError for a fault that the family does not know: planting nothing would pass for a fault unseen.
+const FamilyBuilder& family_for(const BuildRequest& request) {
+  const FamilyBuilder& family = family_called(method_family(request.scene));
+  std::vector<std::string> names{""};
+  for (const PlantedFault& fault : family.faults) names.push_back(fault.name);
+  if (std::find(names.begin(), names.end(), request.fault) == names.end())
+    throw InputError(unknown_word("planted fault of the family '" + family.name + "'", request.fault,
+                                  {names.begin() + 1, names.end()}));
+  return family;
+}
+}  // namespace
+
 template <>
 std::unique_ptr<MethodBuilder<2>> make_builder(const BuildRequest& request) {
-  return family_called(method_family(request.scene)).disks(request);
+  return family_for(request).disks(request);
 }
 
 template <>
 std::unique_ptr<MethodBuilder<3>> make_builder(const BuildRequest& request) {
-  return family_called(method_family(request.scene)).spheres(request);
+  return family_for(request).spheres(request);
 }
 
 }  // namespace sandglass

@@ -3,23 +3,17 @@
 #include "sim/base/error.hpp"
 #include "sim/run/placement_lattice.hpp"
 #include "sim/run/placement_packing.hpp"
+#include "sim/run/placement_points.hpp"
 
 namespace sandglass {
 
 namespace {
 
-template <int D>
-std::vector<Vector<D>> place_randomly(const Room<D>& room, std::uint64_t count, const StreamKey& key) {
-  if (room.hard)
+void refuse_overlaps(bool hard) {
+  if (hard)
     throw InputError(
         "'initial.positions' = \"random\" lets hard particles overlap; use \"lattice\" or "
         "\"random-without-overlap\"");
-  std::vector<Vector<D>> points(count);
-  for (std::uint64_t i = 0; i < count; ++i) {
-    Random random(key, i);
-    for (int axis = 0; axis < D; ++axis) points[i][axis] = room.box[axis] * random.uniform();
-  }
-  return points;
 }
 
 template <int D>
@@ -48,7 +42,11 @@ std::vector<Vector<D>> points_of(const Scene& scene, std::uint64_t count, const 
   const StreamKey key(streams.seed, Purpose::positions, streams.replica, 0);
   switch (scene.initial.positions) {
     case Positions::random:
+      refuse_overlaps(room.hard);
       return place_randomly<D>(room, count, key);
+    case Positions::barometric:
+      refuse_overlaps(room.hard);
+      return place_barometrically<D>(scene, room, count, key);
     case Positions::lattice:
       return place_on_lattice<D>(scene, room, count);
     case Positions::random_without_overlap:

@@ -57,7 +57,7 @@ TEST(Reference, NamesEveryKeyPresetAndObserver) {
   Scene scene;
   scene.domain = {3, {1, 1, 1}, {{}, {}, {}}};
   scene.species.emplace_back() = {"a", 3, 0.1, 0.1, 1, 1, 1, 0, 1.0, 1.0};
-  scene.method.options = DsmcOptions{{}, {}, Offset::random, 0.5, {1, 1, 1}, 1.0};
+  scene.method.options = DsmcOptions{{}, {}, Offset::random, {}, 0.5, {1, 1, 1}, 1.0};
   scene.gravity = {0, 0, 1};
   scene.initial.velocity = {0, 0, 0};
   scene.initial.shear_wave = ShearWave{};

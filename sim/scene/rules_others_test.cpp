@@ -37,16 +37,16 @@ const std::vector<Fault> other_faults = {
      "contact-time = 1.0\ntime-step",
      "11:1",
      {"'method.contact-time' is for the method 'event-driven' only"}},
-    {"wall",
+    {"rough_wall",
      "[method]",
-     "[[wall]]\nside = \"y-low\"\n[method]",
-     "9:1",
-     {"'wall' cannot be used with the method 'dsmc', only with", "plain specular walls need no [[wall]]"}},
-    {"obstacle",
-     "[method]",
-     "[[obstacle]]\ncentre = [5, 5]\nradius = 1\n[method]",
-     "9:1",
-     {"'obstacle' cannot be used with the method 'dsmc', only with"}},
+     "[[wall]]\nside = \"y-low\"\ntangential-restitution = 0.5\n[method]",
+     "11:26",
+     {"'wall.tangential-restitution' cannot be used with the method 'dsmc', only with 'event-driven'"}},
+    {"no_atmosphere",
+     "exact = true",
+     "positions = \"barometric\"",
+     "13:13",
+     {"needs gravity along one axis"}},
     {"rough",
      "count = 10",
      "count = 10\ntangential-restitution = 0.5",
@@ -105,6 +105,11 @@ const std::vector<Fault> other_faults = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Other, OtherMethods, testing::ValuesIn(other_faults), fault_name);
+
+TEST(OtherMethodsTogether, LatticesKnowNoObstacles) {
+  const std::string text = spoiled(good, {"", "exact = true", "positions = \"lattice\"", "", {}});
+  expect_fault(text, {"", "", "[[obstacle]]\ncentre = [5, 5]\nradius = 1", "13:13", {"inside the obstacles"}});
+}
 
 TEST(OtherMethodsTogether, ObserversOfStructureNeedTheirKeys) {
   const std::string text = spoiled(good, {"", "sides.y = \"specular\"\n", "", "", {}});

@@ -17,6 +17,7 @@ const Words<std::optional<Positions>>& positions_words() {
       {"random", Positions::random},
       {"lattice", Positions::lattice},
       {"random-without-overlap", Positions::random_without_overlap},
+      {"barometric", Positions::barometric},
       {"given", std::nullopt}};
   return words;
 }

@@ -49,7 +49,7 @@ double Subject::collisions_per_step() const {
 }
 
 double Subject::missing_pairs() const {
-  if (!has_offset(scene_) || particles_per_cell() == 0) return 0;
+  if (!loses_pairs(scene_) || particles_per_cell() == 0) return 0;
   return (1 - law::long_wave_structure(gas(1))) / particles_per_cell();
 }
 

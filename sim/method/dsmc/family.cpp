@@ -1,9 +1,12 @@
 #include "sim/method/dsmc/family.hpp"
 
+#include "sim/method/boundary_faults.hpp"
 #include "sim/method/collision_rate.hpp"
 #include "sim/method/dsmc/dsmc.hpp"
 #include "sim/method/dsmc/from_scene.hpp"
+#include "sim/method/dsmc/pair_deficit.hpp"
 #include "sim/method/dsmc/planted_faults.hpp"
+#include "sim/method/motion_from_scene.hpp"
 
 #include <cmath>
 
@@ -18,11 +21,10 @@ class Builder final : public MethodBuilder<D> {
  public:
   explicit Builder(const BuildRequest& request)
       : scene_(request.scene),
-        grid_(grid_of<D>(scene_)),
         parameters_(parameters_of<D>(scene_)),
-        motion_(motion_of<D>(scene_)) {
-    if (const FaultChange* plant = find_fault(planted_faults(), "dsmc", request.fault))
-      (*plant)(parameters_, D);
+        grid_(grid_of<D>(scene_, default_particles_per_cell(D, parameters_, density()))),
+        motion_(motion_of<D>(with_boundary_fault(scene_, request.fault))) {
+    plant(planted_faults(), request.fault, parameters_, D);
     parameters_.measure_transfer = request.needs.transfer;
     motion_.offsets = parameters_.offset.any();
   }
@@ -31,9 +33,7 @@ class Builder final : public MethodBuilder<D> {
     const Species& species = scene_.species.front();
     const double contact =
         parameters_.factor.formula == nullptr ? 1 : parameters_.factor.formula(fraction(scene_)).value;
-    const double density =
-        static_cast<double>(particle_count(scene_)) * scene_.method.weight / volume(scene_.domain);
-    return M_SQRT2 * density * parameters_.cross_section * contact *
+    return M_SQRT2 * density() * parameters_.cross_section * contact *
            mean_speed(D, std::sqrt(temperature / species.mass));
   }
 
@@ -65,6 +65,8 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("offset along the momentum change", parameters_.offset.consistent != 0);
     plan.feature("random offset", parameters_.offset.random != 0);
     plan.feature("momentum carried by offsets (observer pressure)", parameters_.measure_transfer);
+    plan.feature("pairs expected by chance", parameters_.pair_count == PairCount::expected);
+    plan.feature("walls with a rule", !motion_.walls.empty());
     plan.feature("particle identities", scene_.output.ids);
     warn(plan);
   }
@@ -76,13 +78,26 @@ class Builder final : public MethodBuilder<D> {
   }
 
  private:
+  /// Of real particles.
+  double density() const {
+    return static_cast<double>(particle_count(scene_)) * scene_.method.weight / volume(scene_.domain);
+  }
+
   double bytes_per_particle(double particles) const {
-    const double per_cell = parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8;
+    const double per_cell = (parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8) +
+                            (parameters_.pair_count == PairCount::expected ? 44 : 0);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
            per_cell * grid_.size() / particles;
   }
 
-  static void warn(Plan& plan) {
+  void warn(Plan& plan) const {
+    if (const double deficit = expected_pair_deficit(D, parameters_, density(), plan.particles_per_cell);
+        deficit > 0.01)
+      plan.warnings.push_back(fmt::format(
+          "about {:.2g}% of the collisions and of their pressure are missing: offsets take partners "
+          "out of cells of {:.3g} particles; use {:.0f} a cell, or pair-count = \"expected\"",
+          100 * deficit, plan.particles_per_cell,
+          std::ceil(default_particles_per_cell(D, parameters_, density()))));
     if (plan.cell_size_in_mean_free_paths > 1)
       plan.warnings.push_back(
           fmt::format("cells are {:.2g} mean free paths wide: transport is smeared over more than a free "
@@ -101,8 +116,8 @@ class Builder final : public MethodBuilder<D> {
   }
 
   Scene scene_;
-  Grid<D> grid_;
   Parameters parameters_;
+  Grid<D> grid_;
   motion::MotionParameters<D> motion_;
 };
 
@@ -114,7 +129,8 @@ std::unique_ptr<MethodBuilder<D>> make_builder(const BuildRequest& request) {
 }  // namespace
 
 const FamilyBuilder& family() {
-  static const FamilyBuilder all{"dsmc", names_of_faults(planted_faults()), make_builder<2>, make_builder<3>};
+  static const FamilyBuilder all{"dsmc", names_of_faults(planted_faults(), boundary_faults()),
+                                 make_builder<2>, make_builder<3>};
   return all;
 }
 

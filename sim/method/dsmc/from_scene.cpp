@@ -12,15 +12,12 @@
 namespace sandglass::dsmc {
 
 namespace {
-/// Simulated particles in a cell where the scene does not say how large cells are.
-constexpr double kParticlesPerCell = 10;
-
 const DsmcOptions& options_of(const Scene& scene) { return std::get<DsmcOptions>(scene.method.options); }
 
-double wanted_edge(const Scene& scene) {
+double wanted_edge(const Scene& scene, double particles_per_cell) {
   const double particles = static_cast<double>(std::max<std::uint64_t>(particle_count(scene), 1));
   return options_of(scene).cell_size.value_or(
-      std::pow(volume(scene.domain) * kParticlesPerCell / particles, 1.0 / scene.domain.dimension));
+      std::pow(volume(scene.domain) * particles_per_cell / particles, 1.0 / scene.domain.dimension));
 }
 
 Offset offset_of(const Scene& scene) {
@@ -42,9 +39,9 @@ Offset offset_of(const Scene& scene) {
 }  // namespace
 
 template <int D>
-Grid<D> grid_of(const Scene& scene) {
+Grid<D> grid_of(const Scene& scene, double particles_per_cell) {
   const std::vector<std::uint64_t>& given = options_of(scene).cells;
-  const double edge = wanted_edge(scene);
+  const double edge = wanted_edge(scene, particles_per_cell);
   std::array<std::uint32_t, D> cells;
   double total = 1;
   for (std::size_t axis = 0; axis < D; ++axis) {
@@ -71,26 +68,15 @@ Parameters parameters_of(const Scene& scene) {
   parameters.cross_section = cross_section(D, species.diameter);
   parameters.weight = scene.method.weight;
   parameters.offset = offset_of(scene);
+  if (options.pair_count == sandglass::PairCount::expected) parameters.pair_count = PairCount::expected;
   if (options.contact_factor == ContactFactor::local)
     parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed};
   return parameters;
 }
 
-template <int D>
-motion::MotionParameters<D> motion_of(const Scene& scene) {
-  motion::MotionParameters<D> motion;
-  motion.mass = scene.species.front().mass;
-  for (std::size_t axis = 0; axis < D; ++axis)
-    motion.walled[axis] = scene.domain.sides[axis][0] == Side::specular;
-  motion.gravity = vector_of<D>(scene.gravity);
-  return motion;
-}
-
-template Grid<2> grid_of(const Scene&);
-template Grid<3> grid_of(const Scene&);
+template Grid<2> grid_of(const Scene&, double);
+template Grid<3> grid_of(const Scene&, double);
 template Parameters parameters_of<2>(const Scene&);
 template Parameters parameters_of<3>(const Scene&);
-template motion::MotionParameters<2> motion_of(const Scene&);
-template motion::MotionParameters<3> motion_of(const Scene&);
 
 }  // namespace sandglass::dsmc

@@ -36,6 +36,10 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](P p, int dimension) { p.factor.formula = contact_formula(dimension == 2 ? 3 : 2); }},
       {{"density-from-cell-count", "contact factor from the cell's own count"},
        [](P p, int) { p.factor.smoothed = false; }},
+      {{"expected-pairs-doubled", "twice the pairs that chance puts into a cell"},
+       [](P p, int) { p.faults.expected_pairs = 2; }},
+      {{"fast-pairs-forgotten", "expected pairs take those missing for average ones"},
+       [](P p, int) { p.faults.speeds_forgotten = true; }},
   };
   return all;
 }

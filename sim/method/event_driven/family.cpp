@@ -1,5 +1,6 @@
 #include "sim/method/event_driven/family.hpp"
 
+#include "sim/method/boundary_faults.hpp"
 #include "sim/method/collision_rate.hpp"
 #include "sim/method/event_driven/from_scene.hpp"
 #include "sim/method/event_driven/planted_faults.hpp"
@@ -23,9 +24,10 @@ template <int D>
 class Builder final : public MethodBuilder<D> {
  public:
   explicit Builder(const BuildRequest& request)
-      : scene_(request.scene), parameters_(parameters_of<D>(scene_)) {
-    if (const FaultChange* plant = find_fault(planted_faults(), "event-driven", request.fault))
-      (*plant)(parameters_);
+      : scene_(request.scene),
+        told_(with_boundary_fault(scene_, request.fault)),
+        parameters_(parameters_of<D>(told_)) {
+    plant(planted_faults(), request.fault, parameters_);
     parameters_.measure_transfer = request.needs.transfer;
     parameters_.impact_bins = request.needs.impact_bins;
   }
@@ -36,7 +38,7 @@ class Builder final : public MethodBuilder<D> {
                                       const Attachments<D>& attachments) const override {
     Parameters<D> parameters = parameters_;
     parameters.planes = attachments.planes;
-    return make_event_driven<D>(parameters, agents_of(scene_, parameters_, attachments.planes), streams,
+    return make_event_driven<D>(parameters, agents_of(told_, parameters_, attachments.planes), streams,
                                 attachments.trace);
   }
 
@@ -51,7 +53,6 @@ class Builder final : public MethodBuilder<D> {
     elastic.impact_bins = 0;
     elastic.keep_ids = true;
     elastic.faults = {};
-    elastic.agent_faults = {};
     return make_event_driven<D>(elastic, agents_of<D>(elastic_scene(scene_), elastic, nullptr), streams);
   }
 
@@ -96,6 +97,7 @@ class Builder final : public MethodBuilder<D> {
   }
 
   Scene scene_;
+  Scene told_;  ///< the scene, with the planted fault of its boundaries if there is one
   Parameters<D> parameters_;
 };
 
@@ -107,8 +109,8 @@ std::unique_ptr<MethodBuilder<D>> make_builder(const BuildRequest& request) {
 }  // namespace
 
 const FamilyBuilder& family() {
-  static const FamilyBuilder all{"event-driven", names_of_faults(planted_faults()), make_builder<2>,
-                                 make_builder<3>};
+  static const FamilyBuilder all{"event-driven", names_of_faults(planted_faults(), boundary_faults()),
+                                 make_builder<2>, make_builder<3>};
   return all;
 }
 

@@ -50,24 +50,5 @@ TEST(Faults, AStaleContactIsCarriedOut) {
   }
 }
 
-TEST(Faults, OfWallsAndObstacles) {
-  const WallRule rule{WallKind::bounce_back, {{0.9}}, 0.5, 2};
-  const AgentFaults none;
-  EXPECT_EQ(none.changed(rule).surface.normal.value, 0.9);
-  EXPECT_EQ(none.changed(rule).probability, 0.5);
-  EXPECT_EQ(none.changed(rule).temperature, 2);
-  const AgentFaults all{.restitution = 1.02, .temperature = 1.2, .probability_ignored = true};
-  EXPECT_EQ(all.changed(rule).surface.normal.value, 1.02 * 0.9);
-  EXPECT_EQ(all.changed(rule).probability, 1);
-  EXPECT_EQ(all.changed(rule).temperature, 2.4);
-  EXPECT_EQ(all.changed(WallRule{}).surface.normal.value, 1);
-
-  WallPlace<2> place;
-  place.velocity = {1, 2}, place.amplitude = 0.1;
-  EXPECT_EQ(none.changed(place).velocity, place.velocity);
-  EXPECT_EQ(AgentFaults{.velocity_dropped = true}.changed(place).velocity, Vector<2>(0, 0));
-  EXPECT_EQ(AgentFaults{.velocity_dropped = true}.changed(place).amplitude, 0.1);
-}
-
 }  // namespace
 }  // namespace sandglass::event_driven

@@ -19,9 +19,7 @@ std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const 
                            wall.amplitude,
                            wall.frequency,
                            parameters.largest_diameter() / 2};
-  const AgentFaults& faults = parameters.agent_faults;
-  return std::make_unique<WallAgent<D>>(
-      faults.changed(place), faults.changed(wall_rule_of(scene, wall.surface)), parameters.gravity);
+  return std::make_unique<WallAgent<D>>(place, wall_rule_of(scene, wall.surface), parameters.gravity);
 }
 
 }  // namespace
@@ -55,12 +53,10 @@ Agents<D> agents_of(const Scene& scene, const Parameters<D>& parameters, std::ve
     if (!parameters.geometry.periodic[static_cast<std::size_t>(axis)])
       for (const bool high : {false, true})
         agents.push_back(make_wall<D>(scene, wall_of(scene, axis, high), parameters));
-  const AgentFaults& faults = parameters.agent_faults;
   for (const Obstacle& obstacle : scene.obstacles)
     agents.push_back(std::make_unique<ObstacleAgent<D>>(
-        vector_of<D>(obstacle.centre), faults.obstacle_radius * obstacle.radius,
-        faults.changed(wall_rule_of(scene, obstacle.surface)), parameters.gravity,
-        parameters.largest_diameter() / 2));
+        vector_of<D>(obstacle.centre), obstacle.radius, wall_rule_of(scene, obstacle.surface),
+        parameters.gravity, parameters.largest_diameter() / 2));
   if (planes != nullptr)
     for (Plane& plane : *planes)
       agents.push_back(std::make_unique<PlaneAgent<D>>(&plane, parameters.gravity));

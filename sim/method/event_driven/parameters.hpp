@@ -26,7 +26,6 @@ struct Parameters {
   std::uint64_t obstacles = 0;           ///< likewise
   std::vector<Plane>* planes = nullptr;  ///< those that agents count for
   Faults faults;
-  AgentFaults agent_faults;
 
   const Surface& surface(std::size_t a, std::size_t b) const { return surfaces[a * species.size() + b]; }
   double largest_diameter() const {

@@ -41,18 +41,6 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
          p.contact_time = 0;
          for (Surface& surface : p.surfaces) surface.normal.reference_speed = 0;
        }},
-      {{"gravity-plus-1-percent", "gravity 1% too strong"}, [](auto& p) { p.gravity *= 1.01; }},
-      {{"wall-restitution-plus-2-percent", "restitution of walls and obstacles 2% too large, at most 1"},
-       [](auto& p) { p.agent_faults.restitution = 1.02; }},
-      {{"gravity-reversed", "gravity with the wrong sign"}, [](auto& p) { p.gravity = -p.gravity; }},
-      {{"obstacle-radius-plus-2-percent", "obstacles 2% too large"},
-       [](auto& p) { p.agent_faults.obstacle_radius = 1.02; }},
-      {{"wall-temperature-plus-20-percent", "thermal walls and obstacles at 1.2 times their temperature"},
-       [](auto& p) { p.agent_faults.temperature = 1.2; }},
-      {{"bounce-back-probability-ignored", "every particle bounces back"},
-       [](auto& p) { p.agent_faults.probability_ignored = true; }},
-      {{"wall-velocity-dropped", "walls stand still, their vibration aside"},
-       [](auto& p) { p.agent_faults.velocity_dropped = true; }},
       {{"friction-dropped", "rough contacts always stick"},
        [](auto& p) {
          for (Surface& surface : p.surfaces) surface.friction = std::numeric_limits<double>::infinity();

@@ -34,8 +34,7 @@ template <int D>
 class Builder final : public MethodBuilder<D> {
  public:
   explicit Builder(const BuildRequest& request) : parameters_(parameters_of(request.scene)) {
-    if (const FaultChange* plant = find_fault(planted_faults(), "reservoir", request.fault))
-      (*plant)(parameters_.faults);
+    plant(planted_faults(), request.fault, parameters_.faults);
   }
   double collision_rate(double) const override { return 0; }
   std::unique_ptr<Simulator<D>> build(const Streams& streams,

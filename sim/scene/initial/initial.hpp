@@ -6,7 +6,8 @@
 
 namespace sandglass {
 
-enum class Positions { random, lattice, random_without_overlap };
+/// barometric: as a gas at rest under gravity, exp(-m g z / T) between two walls.
+enum class Positions { random, lattice, random_without_overlap, barometric };
 
 struct ShearWave {
   double amplitude = 0;  ///< velocity along axis 0, as a sine of the position along axis 1

@@ -71,7 +71,8 @@ double distance(const Domain& domain, const std::vector<double>& a, const std::v
 void check_contact(const Scene& scene, std::size_t index, const std::string& other,
                    const std::vector<double>& centre, double radius, Diagnostics& diagnostics) {
   const GivenParticle& particle = scene.given[index];
-  const double least = scene.species[particle.species].diameter / 2 + radius;
+  const bool hard = capabilities(scene).contacts;
+  const double least = (hard ? scene.species[particle.species].diameter / 2 : 0) + radius;
   const double apart = distance(scene.domain, particle.position, centre);
   if (apart >= least * (1 - rounding)) return;
   diagnostics.report(
@@ -83,7 +84,7 @@ void check_contact(const Scene& scene, std::size_t index, const std::string& oth
 
 void check_contacts(const Scene& scene, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < scene.given.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j)
+    for (std::size_t j = 0; j < i && capabilities(scene).contacts; ++j)
       check_contact(scene, i, fmt::format("particle {}", j + 1), scene.given[j].position,
                     scene.species[scene.given[j].species].diameter / 2, diagnostics);
     for (std::size_t j = 0; j < scene.obstacles.size(); ++j)
@@ -123,7 +124,7 @@ void check_given(const Scene& scene, Diagnostics& diagnostics) {
                                                       scene.given.size(), most_given));
   bool good = diagnostics.clean("species") && diagnostics.clean("obstacle");
   for (std::size_t i = 0; i < scene.given.size(); ++i) good &= check_particle(scene, i, diagnostics);
-  if (good && capabilities(scene).contacts) check_contacts(scene, diagnostics);
+  if (good) check_contacts(scene, diagnostics);
 }
 
 }  // namespace sandglass

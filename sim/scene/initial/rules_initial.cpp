@@ -1,5 +1,8 @@
+#include "sim/scene/method/capabilities.hpp"
 #include "sim/scene/rules.hpp"
 #include "sim/scene/text/bounds.hpp"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -15,6 +18,23 @@ void check_shear_wave(const Scene& scene, Diagnostics& diagnostics) {
     if (scene.domain.sides[axis][0] != Side::periodic)
       return diagnostics.report(path, shown(path) + " needs a domain that is periodic along x and y");
 }
+/// A gas at rest has a floor to rest on, along one axis.
+void check_barometric(const Scene& scene, Diagnostics& diagnostics) {
+  if (scene.initial.positions != Positions::barometric || !diagnostics.clean("forces")) return;
+  const auto acts = [](double component) { return component != 0; };
+  if (std::count_if(scene.gravity.begin(), scene.gravity.end(), acts) != 1)
+    diagnostics.report("initial.positions",
+                       "positions = \"barometric\" needs gravity along one axis: [forces] gravity = [0, -1]");
+}
+
+/// Lattices know no obstacles, unless particles have a surface to keep off them.
+void check_lattice(const Scene& scene, Diagnostics& diagnostics) {
+  if (scene.initial.positions != Positions::lattice || scene.obstacles.empty() ||
+      capabilities(scene).contacts || !scene.given.empty())
+    return;
+  diagnostics.report("initial.positions",
+                     "positions = \"lattice\" would put particles inside the obstacles; use \"random\"");
+}
 }  // namespace
 
 void check_initial(const Scene& scene, Diagnostics& diagnostics) {
@@ -28,6 +48,9 @@ void check_initial(const Scene& scene, Diagnostics& diagnostics) {
   for (std::size_t axis = 0; axis < initial.velocity.size(); ++axis)
     check_bounds(diagnostics, item_path("initial.velocity", axis), initial.velocity[axis], finite());
   if (initial.shear_wave) check_shear_wave(scene, diagnostics);
+  if (!diagnostics.clean("initial.positions")) return;
+  check_barometric(scene, diagnostics);
+  check_lattice(scene, diagnostics);
 }
 
 /// Random insertion jams at an area fraction of 0.547 and a volume fraction of 0.38 (random sequential

@@ -31,8 +31,8 @@ const Capabilities& capabilities(const Scene& scene);
 
 /// Cells along each axis; empty where the method chooses them.
 std::vector<double> cells_along(const Scene& scene);
-/// Collisions move the partners.
-bool has_offset(const Scene& scene);
+/// Collisions move their partners out of the cell whose pairs are counted.
+bool loses_pairs(const Scene& scene);
 /// The collision rate goes with the contact value of the local density.
 bool has_contact_factor(const Scene& scene);
 

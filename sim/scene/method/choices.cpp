@@ -26,9 +26,9 @@ Guard guard_of(const Method& method) {
   return choice(method, Guard{}, get);
 }
 
-bool has_offset(const Scene& scene) {
-  const auto get = [](const auto& options) -> decltype(options.offset != Offset::none) {
-    return options.offset != Offset::none;
+bool loses_pairs(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.pair_count == PairCount::counted) {
+    return options.offset != Offset::none && options.pair_count == PairCount::counted;
   };
   return choice(scene.method, false, get);
 }

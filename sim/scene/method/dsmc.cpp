@@ -26,6 +26,11 @@ const Words<Offset>& offset_words() {
   return words;
 }
 
+const Words<PairCount>& pair_count_words() {
+  static const Words<PairCount> words = {{"counted", PairCount::counted}, {"expected", PairCount::expected}};
+  return words;
+}
+
 namespace {
 /// Length of the random offset, in diameters, of a scene that asks for one without saying how long.
 constexpr double default_random_offset = 0.5;
@@ -50,6 +55,7 @@ void read(Table& table, MethodOptions& options) {
   table.read_word("density", "density estimate", dsmc.density, density_words());
   table.read_word("offset", "offset", dsmc.offset, offset_words());
   read_random_offset(table, dsmc);
+  table.read_word("pair-count", "pair count", dsmc.pair_count, pair_count_words());
   table.read("cells", dsmc.cells);
   table.read("cell-size", dsmc.cell_size);
   if (table.has("cells")) table.refuse("cell-size", "is given beside 'cells'; give one of them");
@@ -61,6 +67,7 @@ void write(Lines& lines, const MethodOptions& options) {
   lines.add("density", word_of(density_words(), dsmc.density));
   lines.add("offset", word_of(offset_words(), dsmc.offset));
   if (dsmc.offset == Offset::random) lines.add("random-offset", dsmc.random_offset);
+  lines.add("pair-count", word_of(pair_count_words(), dsmc.pair_count));
   if (!dsmc.cells.empty()) lines.add("cells", dsmc.cells);
   lines.add("cell-size", dsmc.cell_size);
 }
@@ -90,17 +97,23 @@ void check(const Scene& scene, Diagnostics& diagnostics) {
   check_cells(dsmc, scene.domain, diagnostics);
 }
 
-Preset preset(const char* name, const char* summary, ContactFactor factor, Offset offset) {
+Preset preset(const char* name, const char* summary, ContactFactor factor, Offset offset,
+              PairCount pair_count = PairCount::counted) {
   DsmcOptions options;
+  options.pair_count = pair_count;
   options.contact_factor = factor;
   options.offset = offset;
   return {{name, summary}, options};
 }
 
 MethodFamily make_family() {
+  using enum SurfaceKind;
   MethodFamily family;
   family.name = "dsmc";
   family.can.weights = true;
+  family.can.wall_rules = {specular, bounce_back, random_tangential_sign, thermal};
+  family.can.obstacles = true;
+  family.can.varying_number = true;
   family.presets = {
       preset("dsmc", "dilute gas: point-like collisions inside a cell", ContactFactor::none, Offset::none),
       preset("dsmc-enskog", "collision rate raised by the contact value of the local density, no offset",
@@ -112,8 +125,12 @@ MethodFamily make_family() {
              "cba with the displacement that gives the hard-core virial for restitution below one",
              ContactFactor::local, Offset::corrected),
       preset("cuba", "cba with a further random displacement of zero mean that tunes transport",
-             ContactFactor::local, Offset::random)};
-  family.keys = {"contact-factor", "density", "offset", "random-offset", "cells", "cell-size"};
+             ContactFactor::local, Offset::random),
+      preset(
+          "cba-expected-pairs",
+          "cba that takes its candidates from the pairs expected by chance: right with few particles a cell",
+          ContactFactor::local, Offset::consistent, PairCount::expected)};
+  family.keys = {"contact-factor", "density", "offset", "random-offset", "pair-count", "cells", "cell-size"};
   family.read = read;
   family.write = write;
   family.check = check;

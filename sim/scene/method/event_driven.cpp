@@ -98,7 +98,7 @@ MethodFamily make_family() {
   family.can.event_trace = true;
   family.presets = {{{"event-driven", "exact event-driven hard disks and spheres"}, EventDrivenOptions{}}};
   family.keys = {"collapse-guard", "contact-time", "reference-speed"};
-  family.refused = {{{"contact-factor", "density", "offset", "random-offset"},
+  family.refused = {{{"contact-factor", "density", "offset", "random-offset", "pair-count"},
                      "is not used by the method 'event-driven', whose collisions are exact; remove it"},
                     {{"cells", "cell-size"}, "is chosen by the method 'event-driven' itself; remove it"}};
   family.read = read;

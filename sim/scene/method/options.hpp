@@ -14,12 +14,15 @@ namespace sandglass {
 enum class ContactFactor { none, local };
 enum class DensityEstimate { smoothed, cell };
 enum class Offset { none, consistent, corrected, random };
+/// What candidates come from: the pairs that a cell holds, or those that chance would put there.
+enum class PairCount { counted, expected };
 
 /// Direct simulation Monte Carlo and its dense-gas variants.
 struct DsmcOptions {
   ContactFactor contact_factor = ContactFactor::none;
   DensityEstimate density = DensityEstimate::smoothed;
   Offset offset = Offset::none;
+  PairCount pair_count = PairCount::counted;
   double random_offset = 0;          ///< cuba: length of the extra zero-mean offset, in diameters
   std::vector<std::uint64_t> cells;  ///< cells per axis; empty: chosen from cell_size
   std::optional<double> cell_size;   ///< wanted edge; the nearest whole number of cells is taken

@@ -30,7 +30,7 @@ MethodFamily make_family() {
       {{"reservoir", "no box: velocities of an ideal-gas stream through a plane, from the flux distribution"},
        ReservoirOptions{}}};
   family.refused = {
-      {{"contact-factor", "density", "offset", "random-offset"},
+      {{"contact-factor", "density", "offset", "random-offset", "pair-count"},
        "is not used by the method 'reservoir', which has no collisions; remove it"},
       {{"cells", "cell-size"}, "is not used by the method 'reservoir', which has no cells; remove it"}};
   family.neutral = {{"contact-factor", "none"}, {"density", "smoothed"}, {"offset", "none"}};

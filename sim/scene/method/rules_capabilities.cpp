@@ -83,6 +83,10 @@ void check_particles(const Scene& scene, Refusals& refusals) {
                    "takes every particle for a real one: it must be 1");
 }
 
+bool overlaps(Positions positions) {
+  return positions == Positions::random || positions == Positions::barometric;
+}
+
 /// What speaks of the particles in a box.
 void check_contents(const Scene& scene, Refusals& refusals) {
   const Initial plain;
@@ -102,7 +106,7 @@ void check_contents(const Scene& scene, Refusals& refusals) {
                   [](const Capabilities& can) { return can.event_trace; });
   refusals.when(scene.output.event_trace && scene.output.event_trace->empty(), "output.event-trace",
                 "'output.event-trace' is empty; name a file");
-  refusals.when(refusals.can.contacts && scene.given.empty() && initial.positions == Positions::random &&
+  refusals.when(refusals.can.contacts && scene.given.empty() && overlaps(initial.positions) &&
                     !refusals.reported("particle"),
                 "initial.positions",
                 "positions = \"random\" (the default) lets hard particles overlap; use \"lattice\" or "

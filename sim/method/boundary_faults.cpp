@@ -1,0 +1,53 @@
+#include "sim/method/boundary_faults.hpp"
+
+#include <algorithm>
+
+namespace sandglass {
+
+namespace {
+template <class Change>
+void change_surfaces(Scene& scene, Change change) {
+  for (Wall& wall : scene.walls) change(wall.surface);
+  for (Obstacle& obstacle : scene.obstacles) change(obstacle.surface);
+}
+
+void scale_gravity(Scene& scene, double factor) {
+  for (double& component : scene.gravity) component *= factor;
+}
+}  // namespace
+
+const std::vector<FaultEntry<SceneChange>>& boundary_faults() {
+  static const std::vector<FaultEntry<SceneChange>> all = {
+      {{"gravity-plus-1-percent", "gravity 1% too strong"}, [](Scene& scene) { scale_gravity(scene, 1.01); }},
+      {{"gravity-reversed", "gravity with the wrong sign"}, [](Scene& scene) { scale_gravity(scene, -1); }},
+      {{"wall-restitution-plus-2-percent", "restitution of walls and obstacles 2% too large, at most 1"},
+       [](Scene& scene) {
+         change_surfaces(scene, [](SurfaceRule& surface) {
+           surface.restitution = std::min(1.0, 1.02 * surface.restitution);
+         });
+       }},
+      {{"wall-temperature-plus-20-percent", "thermal walls and obstacles at 1.2 times their temperature"},
+       [](Scene& scene) {
+         change_surfaces(scene, [](SurfaceRule& surface) { surface.temperature *= 1.2; });
+       }},
+      {{"bounce-back-probability-ignored", "every particle bounces back"},
+       [](Scene& scene) { change_surfaces(scene, [](SurfaceRule& surface) { surface.probability = 1; }); }},
+      {{"wall-velocity-dropped", "walls stand still, their vibration aside"},
+       [](Scene& scene) {
+         for (Wall& wall : scene.walls) wall.velocity.clear();
+       }},
+      {{"obstacle-radius-plus-2-percent", "obstacles 2% too large"},
+       [](Scene& scene) {
+         for (Obstacle& obstacle : scene.obstacles) obstacle.radius *= 1.02;
+       }},
+  };
+  return all;
+}
+
+Scene with_boundary_fault(const Scene& scene, const std::string& name) {
+  Scene told = scene;
+  plant(boundary_faults(), name, told);
+  return told;
+}
+
+}  // namespace sandglass

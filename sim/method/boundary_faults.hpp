@@ -1,0 +1,17 @@
+#pragma once
+
+#include "sim/method/planted_fault.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace sandglass {
+
+using SceneChange = void (*)(Scene&);
+
+/// Faults of walls, obstacles and gravity, for every family that has them: changes of the scene that the family is told,
+/// made after the particles were placed.
+const std::vector<FaultEntry<SceneChange>>& boundary_faults();
+
+/// The scene with that fault planted, if it is one of them.
+Scene with_boundary_fault(const Scene& scene, const std::string& name);
+
+}  // namespace sandglass
