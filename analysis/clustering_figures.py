@@ -26,8 +26,13 @@ class Picture:
     wide: bool = False
 
 
+def _is_exact(record):
+    """Whether the method finds the contacts of its particles; only then are these observed."""
+    return "impact-parameter" in record.series or "overlap" in record.series
+
+
 def _styles(records):
-    order = sorted(records, key=lambda name: name != "event-driven")
+    order = sorted(records, key=lambda name: not _is_exact(records[name]))
     return {name: (COLOURS[index % len(COLOURS)], ["-", "--", "-."][index % 3])
             for index, name in enumerate(order)}
 
@@ -128,13 +133,13 @@ def draw_structure(records, stem):
         waves = (edges[1:] + edges[:-1]) / 2
         times = [0.0] + spread(runs[0].time[-1], 5)
         if exact is not None:
-            panel.plot(*exact, ":", color="#333333", linewidth=1.8, label="event-driven, latest")
+            panel.plot(*exact, ":", color="#333333", linewidth=1.8, label=f"{next(iter(styles))}, latest")
             panel.legend(loc="lower left")
         for index, time in enumerate(times):
             mean = np.mean([item.value[_at(item, time)] for item in runs], axis=0)
             panel.plot(waves, mean, color=_colour(index, len(times)), linewidth=1.8,
                        label=f"t/t0 = {time:g}" if exact is None else None)
-        if name == "event-driven":
+        if exact is None and _is_exact(records[name]):
             exact = waves, mean
         panel.set(xscale="log", yscale="log", xlabel="k L / 2π", title=name)
     panels[0][0].set_ylabel("S(k)")

@@ -14,18 +14,23 @@ COLUMNS = 4
 
 @dataclass(frozen=True)
 class Frames:
-    """First replica: time [frame], position [frame, particle, axis], edges of the box [axis]."""
+    """First replica: time [frame], position [frame, particle, axis], edges of the box [axis].
+
+    `exact`: of a method that finds the contacts of its particles; only then are these observed.
+    """
 
     time: np.ndarray
     position: np.ndarray
     edges: np.ndarray
+    exact: bool
 
 
 def load_frames(path):
     import h5py
     with h5py.File(path, "r") as file:
         group = file["particles/all"]
-        return Frames(group["position/time"][()], group["position/value"][()], group["box/edges"][()])
+        exact = any(f"sandglass/series/{name}" in file for name in ("impact-parameter", "overlap"))
+        return Frames(group["position/time"][()], group["position/value"][()], group["box/edges"][()], exact)
 
 
 def shown_times(time):
@@ -51,7 +56,7 @@ def _density(panel, position, edges):
 
 
 def draw_frames(runs, stem):
-    order = sorted(runs, key=lambda name: name != "event-driven")
+    order = sorted(runs, key=lambda name: not runs[name].exact)
     times = shown_times(runs[order[0]].time)
     picture, panels = pyplot.subplots(len(order), len(times), squeeze=False, dpi=130,
                                       figsize=(0.4 + 2.1 * len(times), 0.75 + 2.1 * len(order)))

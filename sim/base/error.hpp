@@ -10,7 +10,7 @@ namespace sandglass {
 /// One thing wrong with what the user gave: where it stands, what is wrong and what to do.
 struct Diagnostic {
   std::string file;
-  int line = 0;    ///< 1-based; 0 when the fault has no place in the file
+  int line = 0;    ///< 1-based; 0 when the error has no place in the file
   int column = 0;  ///< 1-based; 0 as above
   std::string message;
 
@@ -18,7 +18,7 @@ struct Diagnostic {
   std::string text() const;
 };
 
-/// The user's input cannot be used (exit code 2). Carries every fault found, not only the first.
+/// The user's input cannot be used (exit code 2). Carries every error found, not only the first.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string message);
@@ -37,7 +37,7 @@ class RunError : public std::runtime_error {
 
 }  // namespace sandglass
 
-/// Broken precondition of a function: the caller's fault. Debug builds only.
+/// Broken precondition of a function: the caller's mistake. Debug builds only.
 #define SANDGLASS_EXPECT(condition) assert((condition) && "precondition")
-/// Internal fault: cannot happen unless this code is wrong. Debug builds only.
+/// Internal error: cannot happen unless this code is wrong. Debug builds only.
 #define SANDGLASS_ENSURE(condition) assert((condition) && "internal fault")

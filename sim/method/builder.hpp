@@ -17,7 +17,7 @@ namespace sandglass {
 template <int D>
 struct Attachments {
   std::vector<Plane>* planes = nullptr;  ///< that count who passes; null: none
-  EventSink<D>* trace = nullptr;         ///< hears of every event; null: nobody
+  EventSink<D>* trace = nullptr;         ///< takes every event; null: none is kept
 };
 
 /// A scene made ready for its family of methods: everything optional is decided when it is made, once.

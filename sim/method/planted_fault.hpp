@@ -11,7 +11,7 @@ struct PlantedFault {
   std::string summary;
 };
 
-/// One fault of a family, as a change of what the method is told.
+/// One fault of a family, as a change of the parameters of its method.
 template <class Change>
 struct FaultEntry {
   PlantedFault fault;

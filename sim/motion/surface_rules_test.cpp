@@ -184,7 +184,7 @@ TEST(ObstacleRules, FallingBallComesBack) {
   expect_fall<3>();
 }
 
-/// Thrown up from below, a ball meets the obstacle on a path that begins and ends lower: it hits at the height 0.1 after
+/// Thrown up from below, a ball hits the obstacle on a path that begins and ends lower: it hits at the height 0.1 after
 /// sqrt(0.25) - sqrt(0.05).
 template <int D>
 void expect_throw() {

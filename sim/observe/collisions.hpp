@@ -4,7 +4,7 @@
 
 namespace sandglass {
 
-/// Collisions, or pairs tried, since time zero.
+/// Collisions, or candidates, since time zero.
 template <int D>
 class CollisionCount final : public Observer<D> {
  public:

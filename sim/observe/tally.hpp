@@ -16,14 +16,14 @@ using Memory = std::map<std::string, std::vector<double>>;
 /// cannot show.
 struct Tally {
   std::uint64_t collisions = 0;
-  std::uint64_t candidates = 0;  ///< pairs tried
+  std::uint64_t candidates = 0;  ///< pairs drawn
   std::uint64_t moves = 0;       ///< particle-moves
   /// Collisional virial: sum over collisions of J . (r_1 - r_2), J the momentum that particle 1 gains; for a method with
   /// offsets the sum of m v' . displacement over both partners.
   ExactSum transfer;
   std::vector<std::uint64_t>
       impact;                  ///< collisions since time zero by |b| / d, Needs::impact_bins over [0, 1]
-  double deepest_overlap = 0;  ///< largest overlap met at a collision, in diameters
+  double deepest_overlap = 0;  ///< largest overlap at a collision, in diameters
 
   void save(Memory& memory) const;
   /// Throws std::out_of_range when the memory lacks a number.

@@ -8,7 +8,7 @@
 
 namespace sandglass {
 
-/// How two surfaces meet (Baryshev 2003, Eq. 3.49-3.69).
+/// How two surfaces collide (Baryshev 2003, Eq. 3.49-3.69).
 struct Surface {
   Restitution normal;
   /// Tangential restitution in [-1, 1]: the tangential velocity of the contact becomes -e_t times what it was. -1 smooth,

@@ -65,7 +65,7 @@ double time_to_plane(const Arc& particle, const PlaneMotion& plane) {
   SANDGLASS_EXPECT(!std::isnan(gap.place + gap.speed + gap.acceleration + plane.phase));
   if (!plane.vibrates())
     return time_to_fall({gap.place - plane.amplitude * std::sin(plane.phase), gap.speed, gap.acceleration});
-  // They meet at -amplitude <= gap <= amplitude only, and within a period of getting there or not before the gap has opened
+  // They touch at -amplitude <= gap <= amplitude only, and within a period of getting there or not before the gap has opened
   // again: a few periods are all that must be searched.
   const double amplitude = std::fabs(plane.amplitude);
   const double fastest = amplitude * std::fabs(plane.angular_frequency());

@@ -18,9 +18,9 @@ struct Arc {
 /// event: rounding leaves a particle so after a bounce.
 double time_to_fall(const Arc& arc);
 
-/// Earliest t >= 0 at which a particle on the upper side meets a plane: `particle` is its coordinate along the plane's
+/// Earliest t >= 0 at which a particle on the upper side hits a plane: `particle` is its coordinate along the plane's
 /// normal, less its radius, and the plane's motion is counted from now (PlaneMotion::from). Touching and approaching
-/// is now; no meeting is missed, however fast or slow the plane vibrates.
+/// is now; no hit is missed, however fast or slow the plane vibrates.
 double time_to_plane(const Arc& particle, const PlaneMotion& plane);
 
 }  // namespace sandglass

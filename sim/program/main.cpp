@@ -1,6 +1,7 @@
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
 #include "sim/program/options.hpp"
+#include "sim/program/parallel.hpp"
 #include "sim/run/run.hpp"
 
 #include <cstdio>
@@ -95,7 +96,8 @@ int main_of(int argc, char** argv) {
     return app.exit(error) == 0 ? all_well : bad_input;
   }
   options.command = app.get_subcommands().front()->get_name();
-  return commands().at(options.command)(options);
+  const Parallel parallel;
+  return parallel.is_alone() ? commands().at(options.command)(options) : bad_input;
 }
 
 int report(const std::exception& error, int code) {

@@ -1,7 +1,8 @@
 #include "sim/program/progress_line.hpp"
 
+#include "sim/program/launcher.hpp"
+
 #include <cstdio>
-#include <cstdlib>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -19,7 +20,7 @@ std::string duration(double seconds) {
 }  // namespace
 
 ProgressLine::ProgressLine(bool quiet)
-    : live_(!quiet && isatty(STDERR_FILENO) != 0 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) {}
+    : live_(!quiet && isatty(STDERR_FILENO) != 0 && !launch_of_this_program().starts_mpi) {}
 
 ProgressLine::~ProgressLine() {
   if (shown_) std::fputs("\r\033[K", stderr);

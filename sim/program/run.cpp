@@ -2,7 +2,6 @@
 
 #include "sim/base/error.hpp"
 #include "sim/program/options.hpp"
-#include "sim/program/parallel.hpp"
 #include "sim/program/progress_line.hpp"
 #include "sim/program/signals.hpp"
 #include "sim/program/table.hpp"
@@ -69,7 +68,6 @@ std::string summary(const Record& record, const std::string& path) {
 /// Runs `work`, which returns the record, with signals caught and progress shown, and writes the record.
 template <class Work>
 int run_to_record(const Options& options, const std::string& path, Work work) {
-  const Parallel parallel;
   refuse_bad_path(path, options.overwrite);
   ProgressLine line(options.quiet);
   RunOptions run_options;

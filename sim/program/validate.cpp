@@ -1,7 +1,6 @@
 #include "sim/base/error.hpp"
 #include "sim/program/folders.hpp"
 #include "sim/program/options.hpp"
-#include "sim/program/parallel.hpp"
 #include "sim/program/signals.hpp"
 #include "validation/suite/suite.hpp"
 
@@ -84,7 +83,6 @@ void print_mutants(const SuiteResult& result) {
 }  // namespace
 
 int validate(const Options& options) {
-  const Parallel parallel;
   SuiteOptions suite = suite_options(options);
   suite.progress = reporter(options.quiet);
   const SuiteResult result = run_suite(suite);

@@ -13,13 +13,14 @@ namespace {
 
 template <int D>
 Particles<D> given_particles(const Scene& scene) {
+  const bool rough = is_rough(scene);
   Particles<D> particles;
   for (const GivenParticle& given : scene.given) {
     particles.phases.push_back({Eigen::Map<const Vector<D>>(given.position.data()),
                                 Eigen::Map<const Vector<D>>(given.velocity.data())});
     if (scene.species.size() > 1)
       particles.columns.append(column::species, static_cast<std::uint8_t>(given.species));
-    if (!is_rough(scene)) continue;
+    if (!rough) continue;
     const bool turns = !given.spin.empty();
     particles.columns.append(column::spin<D>, turns ? Spin<D>(Eigen::Map<const Spin<D>>(given.spin.data()))
                                                     : Spin<D>(Spin<D>::Zero()));

@@ -15,7 +15,7 @@ Particles<D> start(const Scene& scene, std::uint64_t replica = 0) {
   return initial_particles<D>(set_up<D>(scene, {}), {scene.run.seed, replica});
 }
 
-/// Small light and large heavy grains, rough.
+/// Small light and large heavy particles, rough.
 Scene mixture(std::vector<double> box, std::uint64_t small, std::uint64_t large) {
   Scene scene = hard_scene(std::move(box), small);
   scene.species[0].tangential_restitution = 0.3;

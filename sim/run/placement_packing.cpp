@@ -87,7 +87,7 @@ class Packing {
     return false;
   }
 
-  Room<D> room_;
+  const Room<D>& room_;
   Cell cells_;
   std::vector<std::vector<Member>> members_;
 };

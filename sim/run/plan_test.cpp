@@ -1,7 +1,8 @@
 #include "sim/base/error.hpp"
 #include "sim/run/run.hpp"
-#include "sim/run/test_scene.hpp"
+#include "sim/run/test_hard.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -27,6 +28,25 @@ TEST(Plan, TellsTheBytesThatTheRunHolds) {
         dsmc_options(scene).cells.assign(static_cast<std::size_t>(dimension), dimension == 2 ? 100 : 21);
         expect_bytes_as_planned(scene);
       }
+}
+
+/// A wall that draws names its random streams by particle.
+TEST(Plan, TellsTheIdsThatRandomWallsNeed) {
+  Scene scene = hard_scene({300, 300}, 20'000);
+  wall_in(scene, 0);
+  scene.run.duration.steps = 1;
+  scene.walls.push_back({});
+  const auto held = [&] { return run_scene(scene).timings.at("bytes-per-particle"); };
+  const Plan plain = plan(scene);
+  const double held_plain = held();
+  EXPECT_EQ(std::ranges::count(plain.columns, "id"), 0);
+  scene.walls[0].surface.rule = SurfaceKind::thermal;
+  scene.walls[0].surface.temperature = 1;
+  const Plan random = plan(scene);
+  EXPECT_EQ(std::ranges::count(random.columns, "id"), 1);
+  EXPECT_EQ(std::ranges::count(random.used, "particle identities"), 1);
+  EXPECT_EQ(random.bytes_per_particle, plain.bytes_per_particle + 8);
+  EXPECT_NEAR(held(), held_plain + 8, 0.5);
 }
 
 TEST(Plan, TellsTheCells) {

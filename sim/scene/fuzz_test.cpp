@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 // Property: whatever the text, the reader returns a scene that keeps the rules and survives writing, or
-// throws InputError with at least one fault. Spoiled scenes come from a fixed seed.
+// throws InputError with at least one error. Spoiled scenes come from a fixed seed.
 
 namespace sandglass {
 namespace {

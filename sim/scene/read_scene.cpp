@@ -23,7 +23,7 @@ void report_missing_tables(Table& root) {
     root.report_missing("species", "describe the particles in a table headed [[species]]");
 }
 
-/// Whether positions = "given"; where the word is faulty, whether there are particles.
+/// Whether positions = "given"; where the word is wrong, whether there are particles.
 bool read_initial_section(Table& root, Initial& initial) {
   bool given = false;
   if (std::optional<Table> table = root.table("initial")) given = read_initial(*table, initial);

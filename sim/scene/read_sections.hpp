@@ -3,7 +3,7 @@
 #include "sim/scene/scene.hpp"
 #include "sim/scene/text/table.hpp"
 
-// One function per table of a scene file. Each fills in its struct and reports faults of type and spelling;
+// One function per table of a scene file. Each fills in its struct and reports errors of type and spelling;
 // what the values may be, alone and together, is the business of rules.hpp.
 
 namespace sandglass {
@@ -13,7 +13,7 @@ void read_run(Table& table, Run& run);
 void read_domain(Table& table, Domain& domain, std::vector<double>& proportions);
 /// The box that holds the counted particles at their fraction; drops the fraction, which it now implies.
 void fit_box(const std::vector<double>& proportions, Scene& scene, Diagnostics& diagnostics);
-/// `dimension` decides between area and volume fraction; 0 when the domain does not tell it. `given`: the
+/// `dimension` decides between area and volume fraction; 0 when the domain does not say it. `given`: the
 /// particles are listed one by one, and the species takes no amount. `boxed`: the domain has its size, and one
 /// amount is enough.
 void read_species(Table& table, int dimension, bool given, bool boxed, Species& species);

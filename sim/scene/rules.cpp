@@ -9,7 +9,7 @@ namespace sandglass {
 
 namespace {
 struct Rule {
-  std::vector<std::string> rests_on;  ///< paths that must be free of faults for the rule to make sense
+  std::vector<std::string> rests_on;  ///< paths that must be free of errors for the rule to make sense
   void (*check)(const Scene&, Diagnostics&);
 };
 

@@ -7,11 +7,11 @@
 #include <string>
 
 // What the values of a scene may be: alone (bounds) and together. Each rule reports and goes on, so that one
-// reading shows every fault; a rule that rests on a value already reported is left out.
+// reading shows every error; a rule that rests on a value already reported is left out.
 
 namespace sandglass {
 
-/// Checks every rule on a scene and reports each fault.
+/// Checks every rule on a scene and reports each error.
 void check_rules(const Scene& scene, Diagnostics& diagnostics);
 
 void check_run(const Scene& scene, Diagnostics& diagnostics);

@@ -52,13 +52,13 @@ double fraction(const Scene& scene, const Species& species);
 std::uint64_t particle_count(const Scene& scene);
 double fraction(const Scene& scene);
 
-/// Parses and validates. Throws InputError with every fault of the text, each with file, line and column, the
+/// Parses and validates. Throws InputError with every error of the text, each with file, line and column, the
 /// allowed values and the nearest spelling.
 Scene read_scene_file(const std::string& path);
 Scene read_scene_text(const std::string& text, const std::string& file_name);
 
 /// The rules that a scene read from text has passed, for one made or changed in code. Throws InputError with
-/// every fault; the faults name the key and have no place.
+/// every error; the errors name the key and have no place.
 void validate(const Scene& scene);
 
 /// The scene with every default spelled out, as TOML that read_scene_text() turns into the same Scene.

@@ -18,7 +18,7 @@ struct Fault {
   std::string name;
   std::string find;  ///< occurs once in the good scene; empty: the edit stands at its end
   std::string replace;
-  std::string place;               ///< "line:column" of the one fault expected
+  std::string place;               ///< "line:column" of the one error expected
   std::vector<std::string> words;  ///< all in its message
 };
 
@@ -32,7 +32,7 @@ inline std::string spoiled(std::string text, const Fault& fault) {
   return text.replace(at, fault.find.size(), fault.replace);
 }
 
-/// Exactly one fault, at its place, with its words: a fault neither hides nor brings others along.
+/// Exactly one error, at its place, with its words: an error neither hides nor brings others along.
 inline void expect_fault(const std::string& good, const Fault& fault) {
   ASSERT_NO_THROW(read_scene_text(good, "scene.toml"));
   const std::string text = spoiled(good, fault);

@@ -45,7 +45,7 @@ TEST(WriteScene, PlainScenesReadBackEqual) {
 }
 
 TEST(WriteScene, EveryChoiceOfAPresetReadsBackEqual) {
-  for (const Preset& preset : dsmc_family().presets)
+  for (const Preset& preset : method_families().front()->presets)
     for (const ContactFactor factor : {ContactFactor::none, ContactFactor::local})
       for (const Offset offset : {Offset::none, Offset::consistent, Offset::corrected, Offset::random}) {
         Scene scene = plain_scene(2);

@@ -40,7 +40,7 @@ std::vector<std::vector<double>> settled_rates(const Subject& subject, double se
 /// Relative error of a cooling rate from theory and finite size. Sonine: the closures of a2 differ, and its
 /// square is left out (the coefficients are those of the rate's own expansion, rounded up). N: moments of a
 /// sphere instead of a Gaussian, and fluctuations of the energy, 1/N each. Cell: two particles that share a
-/// cell of N_c meet again with probability 1/N_c before they part, slowed down by 1-r.
+/// cell of N_c collide again with probability 1/N_c before they part, slowed down by 1-r.
 double systematic_of_rate(const Subject& subject) {
   const double r = subject.species().restitution;
   const double a2 = law::sonine_a2(subject.dimension(), r);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-// One function per file of checks; check.cpp joins them into the registry.
+// One function per topic, that is per file of checks; check.cpp joins them into the registry.
 
 namespace sandglass {
 

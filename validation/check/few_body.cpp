@@ -40,7 +40,7 @@ law::TouchOf touch_of(const Scene& scene) {
   };
 }
 
-/// Units in which deviations are told.
+/// Units of deviations.
 struct Scales {
   double length = 0, speed = 0, spin = 0, diameter = HUGE_VAL;
 };

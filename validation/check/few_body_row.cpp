@@ -31,7 +31,7 @@ law::RowResult three_of(const Scene& scene) {
   return law::three_in_a_row(masses, scene.species.front().restitution, velocities);
 }
 
-/// Three, of which the left two meet first, and whose collisions come to an end.
+/// Three, of which the left two collide first, and whose collisions come to an end.
 bool is_three_in_a_row(const Scene& scene) {
   if (!is_row(scene) || scene.given.size() != 3) return false;
   const auto meeting = [&scene](std::size_t left) {

@@ -20,7 +20,7 @@ double collapse_restitution(const std::array<double, 3>& masses);
 double most_collisions(const std::array<double, 3>& masses, double restitution);
 
 /// Velocities and number of collisions when all is over, by the two collision matrices in turn. The left pair
-/// starts; the right one must not meet before.
+/// starts; the right pair must not collide before.
 struct RowResult {
   std::array<double, 3> velocities;
   double collisions;  ///< infinite when it never ends; the velocities are then those of the limit

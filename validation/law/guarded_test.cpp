@@ -26,7 +26,7 @@ TEST(SpeedResolvedRate, AveragesToTheMeanRate) {
   }
 }
 
-// A particle at rest meets others at their mean speed, one far above at its own: over sqrt(2) mean speeds.
+// A particle at rest collides with others at their mean speed, one far above at its own: over sqrt(2) mean speeds.
 TEST(SpeedResolvedRate, AtRestAndFarAbove) {
   for (int dimension : {2, 3}) {
     const double mean_speed =

@@ -37,7 +37,7 @@ const std::vector<Law>& all_laws();
 /// Throws InputError naming the nearest spelling.
 const Law& find_law(const std::string& name);
 /// Checks names and ranges, fills in fallbacks and evaluates. Throws InputError naming key, range and remedy,
-/// every fault at once, and also when the law has no finite value there.
+/// every error at once, and also when the law has no finite value there.
 double evaluate(const Law& law, const Arguments& arguments);
 /// The allowed values in words: "0 to 1", "positive", "2 or 3".
 std::string range_text(const Parameter& parameter);

@@ -55,7 +55,7 @@ void add_observers(OriginNode& root, const AddedObservers& added) {
   observers->items.insert(observers->items.end(), fresh.begin(), fresh.end());
 }
 
-/// Moves each error from the composed text to the file that the faulty line came from.
+/// Moves each error from the composed text to the file that the wrong line came from.
 [[noreturn]] void place_errors(const InputError& error, const ComposedText& composed) {
   std::vector<Diagnostic> diagnostics = error.diagnostics();
   for (Diagnostic& diagnostic : diagnostics) {

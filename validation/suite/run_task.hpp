@@ -13,7 +13,7 @@ namespace sandglass {
 /// and repeats it once when fresh seeds are asked for and luck may be to blame.
 Outcome run_task(const Task& task, const SuiteOptions& options, const std::string& record_path);
 
-/// Counts finished work and tells the caller, one call at a time.
+/// Counts finished work and reports it to the caller, one call at a time.
 class ProgressCounter {
  public:
   ProgressCounter(const SuiteOptions& options, std::size_t runs, double work)
@@ -27,7 +27,7 @@ class ProgressCounter {
   std::mutex mutex_;
 };
 
-/// Particle-moves that a scene will cost; 1 when nobody can tell.
+/// Particle-moves that a scene will cost; 1 when that is not known.
 double expected_work(const Scene& scene);
 
 }  // namespace sandglass

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "sim/method/cell_simulator.hpp"
 #include "sim/method/dsmc/cell_stage.hpp"
 #include "sim/method/dsmc/collision_stage.hpp"
 #include "sim/method/dsmc/pair_factor.hpp"
-#include "sim/method/simulator.hpp"
-#include "sim/motion/motion_stage.hpp"
 
 #include <memory>
 #include <optional>
@@ -14,7 +13,7 @@ namespace sandglass::dsmc {
 /// Direct simulation Monte Carlo and its dense-gas variants in D dimensions. A step works on whole cells where a
 /// stage asks for it, collides the particles of each cell, moves them, and sorts them into the cells where they arrive.
 template <int D>
-class Dsmc final : public Simulator<D> {
+class Dsmc final : public CellSimulator<D> {
  public:
   /// `purpose` names the streams of the collisions; of `columns` (docs/particle-columns.md) only those exist that are named.
   Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::MotionParameters<D>& motion,
@@ -26,35 +25,24 @@ class Dsmc final : public Simulator<D> {
 
   void assign(const Particles<D>& particles) override;
   void step(double dt, std::uint64_t step) override;
-  View<D> view() override;
-  std::span<const std::uint64_t> ids() const override { return store_.ids(); }
-  std::uint64_t size() const override { return store_.size(); }
-  void insert(const Particles<D>& particles) override;
-  void remove(std::span<const std::uint32_t> places) override;
-  Tally& tally() override { return tally_; }
   std::map<std::string, double> counters() const override;
   Memory save() const override;
   void load(const Memory& memory) override;
   std::size_t bytes() const override;
 
  private:
+  using CellSimulator<D>::streams_, CellSimulator<D>::store_, CellSimulator<D>::tally_;
+
   void make_factor(double particles);
   CollisionStep<D> collision_step(double dt, const StreamKey& key);
   void collide_and_move(const motion::MotionStep& motion, const CollisionStep<D>& collisions);
 
   Parameters parameters_;
-  SpeciesTraits traits_;
-  Streams streams_;
   Purpose purpose_;
-  motion::MotionParameters<D> motion_parameters_;
-  ParticleStore<D> store_;
   std::unique_ptr<CollisionStage<D>> collisions_;
-  std::unique_ptr<motion::MotionStage<D>> motion_;
-  double time_ = 0;  ///< since assign(): moving walls ask
   std::optional<PairFactor<D>> factor_;
   double assigned_ = 0;  ///< particles that the window of the pair factor was chosen for
   CellStages<D> stages_;
-  Tally tally_;
   std::uint64_t bound_raised_ = 0;
 };
 

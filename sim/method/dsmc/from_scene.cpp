@@ -1,24 +1,12 @@
 #include "sim/method/dsmc/from_scene.hpp"
 
-#include "sim/base/error.hpp"
-#include "sim/method/from_scene.hpp"
+#include "sim/method/grid_from_scene.hpp"
 #include "sim/physics/collision.hpp"
-
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
 
 namespace sandglass::dsmc {
 
 namespace {
 const DsmcOptions& options_of(const Scene& scene) { return std::get<DsmcOptions>(scene.method.options); }
-
-double wanted_edge(const Scene& scene, double particles_per_cell) {
-  const double particles = static_cast<double>(std::max<std::uint64_t>(particle_count(scene), 1));
-  return options_of(scene).cell_size.value_or(
-      std::pow(volume(scene.domain) * particles_per_cell / particles, 1.0 / scene.domain.dimension));
-}
 
 Offset offset_of(const Scene& scene) {
   const Species& species = scene.species.front();
@@ -40,21 +28,9 @@ Offset offset_of(const Scene& scene) {
 
 template <int D>
 Grid<D> grid_of(const Scene& scene, double particles_per_cell) {
-  const std::vector<std::uint64_t>& given = options_of(scene).cells;
-  const double edge = wanted_edge(scene, particles_per_cell);
-  std::array<std::uint32_t, D> cells;
-  double total = 1;
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    const double wanted = given.empty() ? std::max(1.0, std::round(scene.domain.size[axis] / edge))
-                                        : static_cast<double>(given[axis]);
-    total *= wanted;
-    if (total > 2e9)
-      throw InputError(fmt::format(
-          "the scene asks for more than {:.3g} cells; raise 'method.cell-size' or lower 'method.cells'",
-          total));
-    cells[axis] = static_cast<std::uint32_t>(wanted);
-  }
-  return Grid<D>(vector_of<D>(scene.domain.size), cells);
+  const DsmcOptions& options = options_of(scene);
+  if (!options.cells.empty()) return grid_of_cells<D>(scene, {options.cells.begin(), options.cells.end()});
+  return grid_of_edge<D>(scene, options.cell_size ? *options.cell_size : edge_for(scene, particles_per_cell));
 }
 
 template <int D>

@@ -21,7 +21,7 @@ inline double window_particles(PairCount count) { return count == PairCount::exp
 
 /// Contact factor of every cell from the local density.
 ///
-/// A small cell's own count is a biased measure of the density that a pair meets: a pair sits more often where many
+/// A small cell's own count is a biased measure of the density around a pair: a pair sits more often where many
 /// particles are (the count seen by a pair is larger by two), and the factor is convex (g of a fluctuating count
 /// exceeds g of its mean). Here the density comes from a window of cells without the pair itself,
 /// which for Poisson counts removes the first bias exactly, and the second derivative of the formula times the Poisson

@@ -23,7 +23,7 @@ struct Encounter {
 template <int D>
 struct Encounters {
   std::vector<Encounter<D>> list;
-  double transfer = 0;  ///< as the kernel tells it
+  double transfer = 0;  ///< as the kernel counts it
 };
 
 /// Many cells of two particles with less than one candidate each.

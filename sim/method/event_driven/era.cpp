@@ -21,7 +21,7 @@ Era plan_era(const Gas<D>& gas) {
   for (const Next& next : gas.next)
     if (next.time > 0 && next.time < HUGE_VAL) delays.push_back(next.time);
   if (delays.empty()) {
-    // Simultaneous contacts tell nothing of the times to come: they have an era of their own, too short for anything else.
+    // Simultaneous contacts say nothing of the times to come: they have an era of their own, too short for anything else.
     const bool now = std::ranges::any_of(gas.next, [](const Next& next) { return next.time <= 0; });
     return now ? Era{kInstant, 1} : Era{};
   }

@@ -138,7 +138,7 @@ TEST(Extreme, GrazingToRounding) {
     }
 }
 
-/// Half a box apart two images are equally near: the one ahead is met.
+/// Half a box apart two images are equally near: the one ahead is hit.
 TEST(Extreme, MeetingAcrossTheBoundaryFromHalfABoxAway) {
   for (const double length : {4.0, 4.3, 5.1, 7.0, 12.0})
     for (const double sign : {-1.0, 1.0}) {
@@ -152,7 +152,7 @@ TEST(Extreme, MeetingAcrossTheBoundaryFromHalfABoxAway) {
     }
 }
 
-/// An arc that turns just at the edge of a cell must not lose its cell: whoever comes by meets it.
+/// An arc that turns just at the edge of a cell must not lose its cell: whoever comes by hits it.
 TEST(Extreme, ABallThatTurnsAtTheEdgeOfACell) {
   for (const double edge : {2.0, 4.0, 6.0}) {
     TestGas<2> gas({12, 12});

@@ -5,6 +5,7 @@
 #include "sim/method/event_driven/from_scene.hpp"
 #include "sim/method/event_driven/planted_faults.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sandglass::event_driven {
@@ -65,22 +66,31 @@ class Builder final : public MethodBuilder<D> {
     plan.particles_per_cell = static_cast<double>(plan.particles) / static_cast<double>(plan.cells);
     plan.cell_size_in_mean_free_paths = edge / plan.mean_free_path;
     plan.particle_moves = 2 * plan.expected_collisions;  // only partners move
-    plan.bytes_per_particle = bytes_per_particle(static_cast<double>(plan.particles));
+    const bool ids = keeps_ids();
+    plan.bytes_per_particle = bytes_per_particle(static_cast<double>(plan.particles), ids);
     plan.columns = {"position", "velocity", "local time", "next event", "cell"};
     if (parameters_.rough) plan.columns.push_back("spin");
     if (parameters_.species.size() > 1) plan.columns.push_back("species");
     if (parameters_.contact_time > 0) plan.columns.push_back("last contact");
-    if (parameters_.keep_ids) plan.columns.push_back("id");
+    if (ids) plan.columns.push_back("id");
     list_features(plan);
+    plan.feature("particle identities", ids);
   }
 
  private:
+  /// Also unasked: a wall or an obstacle that draws names its streams by particle.
+  bool keeps_ids() const {
+    const Agents<D> agents = agents_of(scene_, parameters_, nullptr);
+    return parameters_.keep_ids ||
+           std::ranges::any_of(agents, [](const auto& agent) { return agent->draws(); });
+  }
+
   /// The particle, what comes next, about two entries of the calendar with their slack, the view, and a head per cell.
-  double bytes_per_particle(double particles) const {
+  double bytes_per_particle(double particles, bool ids) const {
     const double cells = parameters_.geometry.box.prod() / std::pow(parameters_.cell_edge(), D) / particles;
     return sizeof(Particle<D>) + sizeof(Next) + 36 + sizeof(Phase<D>) + 4 * cells +
            (parameters_.rough ? sizeof(Spin<D>) : 0) + (parameters_.species.size() > 1 ? 1 : 0) +
-           (parameters_.contact_time > 0 ? 8 : 0) + (parameters_.keep_ids ? 8 : 0);
+           (parameters_.contact_time > 0 ? 8 : 0) + (ids ? sizeof(std::uint64_t) : 0);
   }
 
   void list_features(Plan& plan) const {
@@ -93,7 +103,6 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("collisional virial (observer pressure)", parameters_.measure_transfer);
     plan.feature("impact parameters", parameters_.impact_bins > 0);
     plan.feature("event trace", scene_.output.event_trace.has_value());
-    plan.feature("particle identities", parameters_.keep_ids);
   }
 
   Scene scene_;

@@ -90,7 +90,7 @@ TEST(Twin, ObstacleAndWalls) {
   expect_same_events(gas, twin, 300);
 }
 
-/// Few particles: the cells are large, and the nearest image of a particle need not be the one that will be met.
+/// Few particles: the cells are large, and the nearest image of a particle need not be the one that will be hit.
 TEST(Twin, AFewParticlesInALargeBox) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     expect_same_events(lattice_gas<2>(2, 3, true, seed), 8);

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -132,7 +133,46 @@ def test_full_disk_is_named_and_leaves_nothing_half_written(scene, tmp_path):
     assert sorted(os.listdir(tmp_path)) == ["gas.toml"]
 
 
-def test_more_than_one_rank_is_refused(scene, tmp_path):
-    environment = {**os.environ, "OMPI_COMM_WORLD_SIZE": "2"}
+MPIRUN = shutil.which("mpirun.openmpi") or shutil.which("mpirun")
+AS_ANYONE = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+             "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
+REFUSAL = "started on 2 ranks"
+
+
+def run_on_ranks(count, *arguments, folder):
+    command = [MPIRUN, "-n", str(count), str(PROGRAM), *map(str, arguments)]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=120, check=False,
+                          env=os.environ | AS_ANYONE)
+
+
+@pytest.mark.skipif(MPIRUN is None, reason="no mpirun here")
+def test_more_than_one_rank_is_refused_once(scene, tmp_path):
+    finished = run_on_ranks(2, "run", scene.name, folder=tmp_path)
+    assert finished.returncode == 2
+    assert finished.stderr.count(REFUSAL) == 1
+    assert sorted(os.listdir(tmp_path)) == ["gas.toml"]
+
+
+@pytest.mark.skipif(MPIRUN is None, reason="no mpirun here")
+def test_one_rank_runs_as_without_mpirun(scene, tmp_path):
+    assert run_on_ranks(1, "run", scene.name, "-o", "mpi.h5", "--quiet", folder=tmp_path).returncode == 0
+    assert run("run", scene.name, "-o", "plain.h5", "--quiet", folder=tmp_path).returncode == 0
+    for name in ("mpi", "plain"):
+        assert run("export", f"{name}.h5", "--format", "xyz", folder=tmp_path).returncode == 0
+    assert (tmp_path / "mpi.xyz").read_bytes() == (tmp_path / "plain.xyz").read_bytes()
+
+
+@pytest.mark.parametrize("rank, words", [("0", 1), ("1", 0)])
+def test_copies_of_a_foreign_launcher_are_refused(scene, tmp_path, rank, words):
+    """Slurm without MPI, as any launcher whose MPI is not the program's: each copy is alone as far as MPI knows."""
+    environment = os.environ | {"SLURM_STEP_NUM_TASKS": "2", "SLURM_PROCID": rank}
     finished = run("run", scene.name, folder=tmp_path, env=environment)
-    assert finished.returncode == 2 and "2 ranks" in finished.stderr
+    assert finished.returncode == 2
+    assert finished.stderr.count(REFUSAL) == words
+
+
+def test_without_a_launcher_mpi_is_not_started(tmp_path):
+    """An MPI that cannot start stops the command under a launcher only."""
+    no_mpi = os.environ | {"OMPI_MCA_pml": "no-such-layer"}
+    assert run("list", "methods", folder=tmp_path, env=no_mpi).returncode == 0
+    assert run("list", "methods", folder=tmp_path, env=no_mpi | {"PMIX_RANK": "0"}).returncode != 0

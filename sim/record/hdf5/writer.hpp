@@ -20,7 +20,7 @@ class Writer {
 
   Writer group(const std::string& name) const;
 
-  /// Dataset of shape `extents`, row major; `absent` is what readers are told to take for no value. Throws Failure when the
+  /// Dataset of shape `extents`, row major; `absent` is what readers take for no value. Throws Failure when the
   /// number of values differs from the shape.
   template <class T>
   void numbers(const std::string& name, const Extents& extents, std::span<const T> values,

@@ -16,7 +16,7 @@ const std::string remedy =
 
 bool positive_number(double value) { return std::isfinite(value) && value > 0; }
 
-/// Index of the one species that tells the size; nothing, after a report, when none or several do.
+/// Index of the one species that gives the size; nothing, after a report, when none or several do.
 std::optional<std::size_t> find_measure(Diagnostics& diagnostics, const Scene& scene) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < scene.species.size(); ++i)

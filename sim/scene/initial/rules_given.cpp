@@ -11,7 +11,7 @@
 namespace sandglass {
 
 namespace {
-constexpr std::size_t most_given = 10000;  // each pair is tried for overlap
+constexpr std::size_t most_given = 10000;  // a scene file is no place for more
 /// Particles that touch, like the balls of a cradle, may overlap by rounding: this share of the contact
 /// distance.
 constexpr double rounding = 1e-9;
@@ -68,29 +68,73 @@ double distance(const Domain& domain, const std::vector<double>& a, const std::v
   return std::sqrt(square);
 }
 
-void check_contact(const Scene& scene, std::size_t index, const std::string& other,
-                   const std::vector<double>& centre, double radius, Diagnostics& diagnostics) {
-  const GivenParticle& particle = scene.given[index];
-  const bool hard = capabilities(scene).contacts;
-  const double least = (hard ? scene.species[particle.species].diameter / 2 : 0) + radius;
-  const double apart = distance(scene.domain, particle.position, centre);
+/// A given particle, without a radius where particles have no surface, or an obstacle.
+struct Ball {
+  const std::vector<double>* centre;
+  double radius;
+};
+
+/// The given particles, then the obstacles, also in ascending order of x: what touches a ball is near it there.
+class Balls {
+ public:
+  explicit Balls(const Scene& scene) : domain_(scene.domain) {
+    const bool hard = capabilities(scene).contacts;
+    for (const GivenParticle& particle : scene.given)
+      all_.push_back({&particle.position, hard ? scene.species[particle.species].diameter / 2 : 0});
+    for (const Obstacle& obstacle : scene.obstacles) all_.push_back({&obstacle.centre, obstacle.radius});
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      by_x_.emplace_back(x(i), i);
+      largest_ = std::max(largest_, all_[i].radius);
+    }
+    std::ranges::sort(by_x_);
+  }
+
+  const Ball& operator[](std::size_t index) const { return all_[index]; }
+
+  /// In ascending order, each once: those that are no farther along x than the ball and the largest can touch.
+  std::vector<std::size_t> near(std::size_t index) const {
+    const double edge = domain_.sides[0][0] == Side::periodic ? domain_.size[0] : HUGE_VAL;
+    const double reach = all_[index].radius + largest_, here = x(index);
+    std::vector<std::size_t> found;
+    for (const double centre : {here - edge, here, here + edge}) {
+      const auto first = std::ranges::lower_bound(by_x_, std::pair(centre - reach, std::size_t{0}));
+      for (auto ball = first; ball != by_x_.end() && ball->first <= centre + reach; ++ball)
+        found.push_back(ball->second);
+    }
+    std::ranges::sort(found);
+    found.erase(std::ranges::unique(found).begin(), found.end());
+    return found;
+  }
+
+ private:
+  double x(std::size_t index) const { return all_[index].centre->front(); }
+
+  const Domain& domain_;
+  std::vector<Ball> all_;
+  std::vector<std::pair<double, std::size_t>> by_x_;
+  double largest_ = 0;
+};
+
+void check_contact(const Scene& scene, const Balls& balls, std::size_t index, std::size_t other,
+                   Diagnostics& diagnostics) {
+  const double least = balls[index].radius + balls[other].radius;
+  const double apart = distance(scene.domain, *balls[index].centre, *balls[other].centre);
   if (apart >= least * (1 - rounding)) return;
+  const std::size_t particles = scene.given.size();
+  const bool obstacle = other >= particles;
   diagnostics.report(
       item_path("particle", index) + ".position",
-      fmt::format("particle {} overlaps {} (counted from 1): their centres are {:.6g} apart, at "
+      fmt::format("particle {} overlaps {} {} (counted from 1): their centres are {:.6g} apart, at "
                   "least {:.6g} is needed",
-                  index + 1, other, apart, least));
+                  index + 1, obstacle ? "obstacle" : "particle", (obstacle ? other - particles : other) + 1,
+                  apart, least));
 }
 
 void check_contacts(const Scene& scene, Diagnostics& diagnostics) {
-  for (std::size_t i = 0; i < scene.given.size(); ++i) {
-    for (std::size_t j = 0; j < i && capabilities(scene).contacts; ++j)
-      check_contact(scene, i, fmt::format("particle {}", j + 1), scene.given[j].position,
-                    scene.species[scene.given[j].species].diameter / 2, diagnostics);
-    for (std::size_t j = 0; j < scene.obstacles.size(); ++j)
-      check_contact(scene, i, fmt::format("obstacle {}", j + 1), scene.obstacles[j].centre,
-                    scene.obstacles[j].radius, diagnostics);
-  }
+  const Balls balls(scene);
+  for (std::size_t i = 0; i < scene.given.size(); ++i)
+    for (const std::size_t j : balls.near(i))
+      if (j < i || j >= scene.given.size()) check_contact(scene, balls, i, j, diagnostics);
 }
 
 bool check_particle(const Scene& scene, std::size_t index, Diagnostics& diagnostics) {

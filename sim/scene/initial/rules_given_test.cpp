@@ -1,4 +1,7 @@
+#include "sim/base/random.hpp"
 #include "sim/scene/test_bad_scene.hpp"
+
+#include <cmath>
 
 namespace sandglass {
 namespace {
@@ -140,6 +143,56 @@ TEST(GivenTogether, EachPairAndEachFaultIsNamed) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.diagnostics().size(), 3U) << error.what();
     EXPECT_THAT(error.what(), testing::HasSubstr("particle 3 overlaps particle 2"));
+  }
+}
+
+/// The slow twin of the search along x: every pair, in the order of the diagnostics.
+std::vector<std::string> overlaps_of_every_pair(const Scene& scene) {
+  std::vector<std::string> words;
+  const auto radius = [&](std::size_t i) { return scene.species[scene.given[i].species].diameter / 2; };
+  const auto hold = [&](std::size_t i, const std::vector<double>& centre, double other,
+                        const std::string& word) {
+    double step[2] = {scene.given[i].position[0] - centre[0], scene.given[i].position[1] - centre[1]};
+    step[0] = std::remainder(step[0], scene.domain.size[0]);
+    if (std::hypot(step[0], step[1]) < radius(i) + other)
+      words.push_back("particle " + std::to_string(i + 1) + " overlaps " + word + " (");
+  };
+  for (std::size_t i = 0; i < scene.given.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      hold(i, scene.given[j].position, radius(j), "particle " + std::to_string(j + 1));
+    for (std::size_t j = 0; j < scene.obstacles.size(); ++j)
+      hold(i, scene.obstacles[j].centre, scene.obstacles[j].radius, "obstacle " + std::to_string(j + 1));
+  }
+  return words;
+}
+
+TEST(GivenTogether, EveryOverlapAmongManyIsNamedInOrder) {
+  Scene scene = read_scene_text(good, "");
+  scene.domain.size = {60, 80};
+  Random random(StreamKey(3, Purpose::positions, 0, 0), 0);
+  const auto place = [&](double margin) {
+    return std::vector<double>{margin + (60 - 2 * margin) * random.uniform(),
+                               margin + (80 - 2 * margin) * random.uniform()};
+  };
+  scene.obstacles.assign(150, scene.obstacles.front());
+  for (Obstacle& obstacle : scene.obstacles) {
+    obstacle.radius = 0.1 + random.uniform();
+    obstacle.centre = place(obstacle.radius + 2);
+  }
+  scene.given.assign(300, {{}, {0, 0}, {}, 0});
+  for (GivenParticle& particle : scene.given) {
+    particle.species = random.uniform() < 0.2 ? 1 : 0;
+    particle.position = {60 * random.uniform(), 1 + 78 * random.uniform()};
+  }
+  const std::vector<std::string> expected = overlaps_of_every_pair(scene);
+  ASSERT_GT(expected.size(), 50U);
+  try {
+    validate(scene);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.diagnostics().size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_THAT(error.diagnostics()[i].message, testing::HasSubstr(expected[i]));
   }
 }
 

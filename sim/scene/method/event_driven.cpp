@@ -16,7 +16,7 @@ const Words<CollapseGuard>& guard_words() {
 }
 
 namespace {
-/// A box shorter than this would let a particle meet two images of another.
+/// A box shorter than this would let a particle touch two images of another.
 constexpr double least_periodic_diameters = 4;
 constexpr std::size_t most_species = 255;  // a particle keeps its species in one byte
 

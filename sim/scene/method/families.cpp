@@ -6,6 +6,11 @@
 
 namespace sandglass {
 
+// One for each alternative of MethodOptions, in a file of its own.
+const MethodFamily& dsmc_family();
+const MethodFamily& event_driven_family();
+const MethodFamily& reservoir_family();
+
 /// In the order of the alternatives of MethodOptions.
 const std::vector<const MethodFamily*>& method_families() {
   static const std::vector<const MethodFamily*> all = {&dsmc_family(), &event_driven_family(),

@@ -44,9 +44,4 @@ std::vector<NamedSummary> preset_summaries();
 /// Presets of the families that can do something, for messages: "'dsmc', 'cba' or 'event-driven'".
 std::string presets_that(bool (*able)(const Capabilities&));
 
-// One for each alternative of MethodOptions.
-const MethodFamily& dsmc_family();
-const MethodFamily& event_driven_family();
-const MethodFamily& reservoir_family();
-
 }  // namespace sandglass

@@ -31,7 +31,7 @@ bool is_neutral(const MethodFamily& family, const Table& table, const std::strin
   return std::any_of(family.neutral.begin(), family.neutral.end(), match);
 }
 
-/// Where the preset itself is wrong nobody can tell whose keys are meant.
+/// Where the preset itself is wrong nobody knows whose keys are meant.
 void refuse_keys_of_others(Table& table, const Method& method) {
   const MethodFamily& family = family_of(method);
   for (const MethodFamily* other : method_families())

@@ -87,7 +87,7 @@ bool overlaps(Positions positions) {
   return positions == Positions::random || positions == Positions::barometric;
 }
 
-/// What speaks of the particles in a box.
+/// What needs particles in a box.
 void check_contents(const Scene& scene, Refusals& refusals) {
   const Initial plain;
   const Initial& initial = scene.initial;

@@ -21,8 +21,7 @@ void check_time_step(const TimeStep& step, Diagnostics& diagnostics) {
 /// A scene made in code may name one family's preset beside another's options.
 void check_preset(const Method& method, Diagnostics& diagnostics) {
   const std::vector<Preset>& own = family_of(method).presets;
-  const auto match = [&method](const Preset& preset) { return preset.name == method.preset; };
-  if (std::any_of(own.begin(), own.end(), match)) return;
+  if (std::ranges::find(own, method.preset, &Preset::name) != own.end()) return;
   const std::vector<std::string> names = preset_names();
   const bool known = std::find(names.begin(), names.end(), method.preset) != names.end();
   diagnostics.report("method.preset", known ? "'method.preset' is '" + method.preset +

@@ -16,7 +16,7 @@ void check_rough(double tangential_restitution, const std::optional<double>& fri
                            "default) is smooth and has no tangential force");
 }
 
-/// Values that speak of spins, in a scene where none can change.
+/// Values that concern spins, in a scene where none can change.
 void check_spins(const Scene& scene, Diagnostics& diagnostics) {
   if (is_rough(scene)) return;
   const auto refuse = [&diagnostics](bool fault, const std::string& path) {

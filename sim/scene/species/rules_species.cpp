@@ -47,7 +47,7 @@ std::string gives(const std::string& path, std::uint64_t count) {
                      count == 1 ? "" : "s");
 }
 
-/// A single hard particle still meets walls, and one that collides with none needs no other.
+/// A single hard particle still hits walls, and one that collides with none needs no other.
 bool may_be_alone(const Scene& scene) {
   const auto walled = [](const auto& sides) { return sides[0] != Side::periodic; };
   if (!capabilities(scene).collisions) return true;

@@ -19,7 +19,7 @@ void check_surface(const SurfaceRule& surface, const std::string& path, Diagnost
     check_bounds(diagnostics, path + ".temperature", surface.temperature, positive());
 }
 
-/// Where the wall stands: a side of its own, not periodic. False when it cannot be told.
+/// Where the wall stands: a side of its own, not periodic. False when that is not known.
 bool check_side(const Scene& scene, std::size_t index, const std::string& path, Diagnostics& diagnostics) {
   const Wall& wall = scene.walls[index];
   const std::string side = path + ".side";

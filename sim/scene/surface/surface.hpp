@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-// What particles meet that is not a particle: walls and fixed obstacles. Plain values of a scene.
+// What particles hit that is not a particle: walls and fixed obstacles. Plain values of a scene.
 
 namespace sandglass {
 

@@ -9,24 +9,24 @@
 
 namespace sandglass {
 
-/// Collects every fault of one scene and finds its place in the text.
+/// Collects every error of one scene and finds its place in the text.
 /// A path names a value: "domain.size[1]", "species[0].restitution". Messages show it without the table's
 /// number.
 class Diagnostics {
  public:
-  /// For a scene without a text: faults have no place.
+  /// For a scene without a text: errors have no place.
   Diagnostics() = default;
   Diagnostics(std::string file_name, const Node& root);
 
-  /// A fault of the value at `path`; when the text has no such value, it is placed at the table that lacks
+  /// An error of the value at `path`; when the text has no such value, it is placed at the table that lacks
   /// it.
   void report(const std::string& path, const std::string& message);
   void report_at(Place place, const std::string& path, const std::string& message);
 
-  /// No fault so far in the value at `path`, in what it holds or in what holds it.
+  /// No error so far in the value at `path`, in what it holds or in what holds it.
   bool clean(const std::string& path) const;
 
-  /// Throws InputError when there is any fault, sorted by place.
+  /// Throws InputError when there is any error, sorted by place.
   void raise() const;
 
  private:

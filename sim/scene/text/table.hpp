@@ -14,7 +14,7 @@
 
 namespace sandglass {
 
-/// Reads the entries of one TOML table into plain values and reports every fault of type or spelling.
+/// Reads the entries of one TOML table into plain values and reports every error of type or spelling.
 /// The keys that were asked for are the allowed ones; finish() reports all others.
 class Table {
  public:
@@ -25,7 +25,7 @@ class Table {
   /// The key is there, with this text.
   bool says(const std::string& key, const std::string& text) const;
   std::string path_of(const std::string& key) const { return join_path(path_, key); }
-  /// No fault so far in the value under the key, or anywhere in the table.
+  /// No error so far in the value under the key, or anywhere in the table.
   bool clean(const std::string& key) const { return diagnostics_->clean(path_of(key)); }
   bool clean() const { return diagnostics_->clean(path_); }
 
@@ -57,7 +57,7 @@ class Table {
 
   /// Reports the key, when it is there, with the reason why it cannot be used here.
   void refuse(const std::string& key, const std::string& reason);
-  /// Lets the key pass unread, where a fault reported already leaves no way to judge it.
+  /// Lets the key pass unread, where an error reported already leaves no way to judge it.
   void skip(const std::string& key) { skipped_.push_back(key); }
   void report_missing(const std::string& key, const std::string& remedy);
   /// Reports every key that was not asked for, with the nearest one that was.

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "sim/method/simulator.hpp"
+#include "sim/motion/motion_stage.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace sandglass {
+
+/// What methods share whose particles stand in cells and fly freely within a step: store, flight, counts and restart.
+/// A method of this kind says what happens in a step.
+template <int D>
+class CellSimulator : public Simulator<D> {
+ public:
+  /// Of `columns` (docs/particle-columns.md) only those exist that are named.
+  CellSimulator(const Grid<D>& grid, const SpeciesTraits& traits, double weight,
+                const motion::MotionParameters<D>& motion, const Streams& streams,
+                const std::vector<ColumnInfo>& columns);
+
+  void assign(const Particles<D>& particles) override;
+  View<D> view() override;
+  std::span<const std::uint64_t> ids() const override { return store_.ids(); }
+  std::uint64_t size() const override { return store_.size(); }
+  void insert(const Particles<D>& particles) override;
+  void remove(std::span<const std::uint32_t> places) override;
+  Tally& tally() override { return tally_; }
+  Memory save() const override;
+  void load(const Memory& memory) override;
+  std::size_t bytes() const override { return store_.bytes(); }
+
+ protected:
+  /// The coming step, for the flight.
+  motion::MotionStep motion_step(double dt, std::uint64_t step) const {
+    return {dt, time_, StreamKey(streams_.seed, Purpose::walls, streams_.replica, step)};
+  }
+  void fly(std::size_t first, std::size_t last, const motion::MotionStep& step) {
+    motion_->advance(store_, first, last, step);
+  }
+  /// Sorts the particles into the cells where they arrived.
+  void end_step(double dt);
+  std::array<bool, D> periodic() const;
+
+  Streams streams_;
+  ParticleStore<D> store_;
+  Tally tally_;
+
+ private:
+  SpeciesTraits traits_;
+  double weight_;
+  motion::MotionParameters<D> motion_parameters_;
+  std::unique_ptr<motion::MotionStage<D>> motion_;
+  double time_ = 0;  ///< since assign(): moving walls ask
+};
+
+extern template class CellSimulator<2>;
+extern template class CellSimulator<3>;
+
+}  // namespace sandglass

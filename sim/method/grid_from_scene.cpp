@@ -1,0 +1,45 @@
+#include "sim/method/grid_from_scene.hpp"
+
+#include "sim/base/error.hpp"
+#include "sim/method/from_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+double edge_for(const Scene& scene, double particles_per_cell) {
+  const double particles = static_cast<double>(std::max<std::uint64_t>(particle_count(scene), 1));
+  return std::pow(volume(scene.domain) * particles_per_cell / particles, 1.0 / scene.domain.dimension);
+}
+
+template <int D>
+Grid<D> grid_of_cells(const Scene& scene, const std::vector<double>& cells) {
+  std::array<std::uint32_t, D> numbers;
+  double total = 1;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    total *= cells[axis];
+    if (total > 2e9)
+      throw InputError(fmt::format(
+          "the scene asks for more than {:.3g} cells; raise 'method.cell-size' or lower 'method.cells'",
+          total));
+    numbers[axis] = static_cast<std::uint32_t>(cells[axis]);
+  }
+  return Grid<D>(vector_of<D>(scene.domain.size), numbers);
+}
+
+template <int D>
+Grid<D> grid_of_edge(const Scene& scene, double edge) {
+  std::vector<double> cells;
+  for (const double length : scene.domain.size) cells.push_back(std::max(1.0, std::round(length / edge)));
+  return grid_of_cells<D>(scene, cells);
+}
+
+template Grid<2> grid_of_cells(const Scene&, const std::vector<double>&);
+template Grid<3> grid_of_cells(const Scene&, const std::vector<double>&);
+template Grid<2> grid_of_edge(const Scene&, double);
+template Grid<3> grid_of_edge(const Scene&, double);
+
+}  // namespace sandglass
