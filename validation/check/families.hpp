@@ -23,6 +23,9 @@ std::vector<CheckInfo> shear_checks();
 std::vector<CheckInfo> few_body_checks();
 std::vector<CheckInfo> row_checks();
 std::vector<CheckInfo> bounce_checks();
+std::vector<CheckInfo> knudsen_checks();
+std::vector<CheckInfo> drag_checks();
+std::vector<CheckInfo> column_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);

@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "sim/scene/method/capabilities.hpp"
 #include "validation/check/families.hpp"
+#include "validation/check/free_flight.hpp"
 #include "validation/check/histogram.hpp"
 
 #include <algorithm>
@@ -46,6 +47,31 @@ std::vector<double> interval_fluxes(const Subject& subject, std::size_t replica,
   return fluxes;
 }
 
+/// Share of the plane that the radius of particles keeps free along walls: it makes the rest denser.
+double free_layers(const Scene& scene) {
+  double share = 0;
+  for (std::size_t axis = 0; axis < scene.domain.size.size(); ++axis)
+    if (!is_periodic_along(scene, axis)) share += 2 * reach(scene) / scene.domain.size[axis];
+  return share;
+}
+
+bool keeps_temperature(const Scene& scene, const Wall& wall) {
+  return is_thermal_at_rest(wall) && wall.surface.temperature == scene.initial.temperature;
+}
+
+/// A gas in equilibrium whatever collides: periodic, or at rest between walls at its own temperature.
+bool is_stationary(const Scene& scene) {
+  if (is_uniform(scene)) return true;
+  if (!is_plain_gas(scene) || !is_weightless(scene) || !scene.obstacles.empty()) return false;
+  for (const double velocity : scene.initial.velocity)
+    if (velocity != 0) return false;
+  for (std::size_t axis = 0; axis < scene.domain.size.size(); ++axis)
+    for (const bool high : {false, true})
+      if (!is_periodic_along(scene, axis) && !keeps_temperature(scene, wall_at(scene, axis, high)))
+        return false;
+  return true;
+}
+
 Evidence flux_rate(const Subject& subject, Way way) {
   std::vector<std::vector<double>> fluxes;
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)
@@ -56,7 +82,7 @@ Evidence flux_rate(const Subject& subject, Way way) {
       from_mean(flux, way == Way::up ? law::flux_forward(stream) : law::flux_backward(stream));
   evidence.units = "length^(1-D) time^-1";
   if (!capabilities(subject.scene()).particles) return evidence;
-  evidence.budget.systematic = 2 / subject.particles() * evidence.expected;
+  evidence.budget.systematic = (2 / subject.particles() + free_layers(subject.scene())) * evidence.expected;
   evidence.budget.reason = "finite N: moments of a sphere instead of a Gaussian";
   return evidence;
 }
@@ -91,7 +117,7 @@ CheckInfo rate_check(const std::string& name, const std::string& direction, cons
           {"crossing-count"},
           true,
           {},
-          is_uniform,
+          is_stationary,
           [way](const Subject& subject, const law::Arguments&) { return flux_rate(subject, way); }};
 }
 
@@ -103,7 +129,7 @@ CheckInfo distribution_check(const std::string& name, const std::string& directi
           {"crossings"},
           true,
           {},
-          is_uniform,
+          is_stationary,
           [way](const Subject& subject, const law::Arguments&) { return flux_distribution(subject, way); }};
 }
 }  // namespace

@@ -5,13 +5,14 @@
 /// The laws of each topic, in the order in which they are listed.
 namespace sandglass::law {
 
-std::vector<Law> equilibrium_laws();  ///< contact value, collision rate, equation of state
-std::vector<Law> reference_laws();    ///< the elastic fluid as well as it is known
-std::vector<Law> cooling_laws();      ///< Haff's law and its Sonine correction
-std::vector<Law> guarded_laws();      ///< cooling under the TC model
-std::vector<Law> velocity_laws();     ///< moments of the velocity distribution
-std::vector<Law> flux_laws();         ///< velocities of particles that cross a plane
-std::vector<Law> transport_laws();    ///< viscosities
-std::vector<Law> few_body_laws();     ///< a ball on a floor, balls in a row
+std::vector<Law> equilibrium_laws();     ///< contact value, collision rate, equation of state
+std::vector<Law> reference_laws();       ///< the elastic fluid as well as it is known
+std::vector<Law> cooling_laws();         ///< Haff's law and its Sonine correction
+std::vector<Law> guarded_laws();         ///< cooling under the TC model
+std::vector<Law> velocity_laws();        ///< moments of the velocity distribution
+std::vector<Law> flux_laws();            ///< velocities of particles that cross a plane
+std::vector<Law> transport_laws();       ///< viscosities
+std::vector<Law> few_body_laws();        ///< a ball on a floor, balls in a row
+std::vector<Law> free_molecular_laws();  ///< walls, obstacles and gravity without collisions
 
 }  // namespace sandglass::law
