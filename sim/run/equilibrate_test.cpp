@@ -1,8 +1,7 @@
 #include "sim/run/equilibrate.hpp"
 
-#include "sim/method/collision_rate.hpp"
-
 #include "sim/base/error.hpp"
+#include "sim/method/collision_rate.hpp"
 #include "sim/run/initial.hpp"
 #include "sim/run/test_hard.hpp"
 

@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
+#include "sim/method/collisionless/family.hpp"
 #include "sim/method/dsmc/family.hpp"
 #include "sim/method/event_driven/family.hpp"
 #include "sim/method/reservoir/family.hpp"
@@ -13,7 +14,7 @@ namespace sandglass {
 
 const std::vector<const FamilyBuilder*>& family_builders() {
   static const std::vector<const FamilyBuilder*> all = {&dsmc::family(), &event_driven::family(),
-                                                        &reservoir::family()};
+                                                        &reservoir::family(), &collisionless::family()};
   return all;
 }
 

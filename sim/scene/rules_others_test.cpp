@@ -108,7 +108,8 @@ INSTANTIATE_TEST_SUITE_P(Other, OtherMethods, testing::ValuesIn(other_faults), f
 
 TEST(OtherMethodsTogether, LatticesKnowNoObstacles) {
   const std::string text = spoiled(good, {"", "exact = true", "positions = \"lattice\"", "", {}});
-  expect_fault(text, {"", "", "[[obstacle]]\ncentre = [5, 5]\nradius = 1", "13:13", {"inside the obstacles"}});
+  expect_fault(text,
+               {"", "", "[[obstacle]]\ncentre = [5, 5]\nradius = 1", "13:13", {"inside the obstacles"}});
 }
 
 TEST(OtherMethodsTogether, ObserversOfStructureNeedTheirKeys) {

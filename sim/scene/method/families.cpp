@@ -10,11 +10,12 @@ namespace sandglass {
 const MethodFamily& dsmc_family();
 const MethodFamily& event_driven_family();
 const MethodFamily& reservoir_family();
+const MethodFamily& collisionless_family();
 
 /// In the order of the alternatives of MethodOptions.
 const std::vector<const MethodFamily*>& method_families() {
   static const std::vector<const MethodFamily*> all = {&dsmc_family(), &event_driven_family(),
-                                                       &reservoir_family()};
+                                                       &reservoir_family(), &collisionless_family()};
   return all;
 }
 

@@ -54,7 +54,12 @@ struct ReservoirOptions {
   bool operator==(const ReservoirOptions&) const = default;
 };
 
+/// Free flight: nothing to choose.
+struct CollisionlessOptions {
+  bool operator==(const CollisionlessOptions&) const = default;
+};
+
 /// In the order of method_families().
-using MethodOptions = std::variant<DsmcOptions, EventDrivenOptions, ReservoirOptions>;
+using MethodOptions = std::variant<DsmcOptions, EventDrivenOptions, ReservoirOptions, CollisionlessOptions>;
 
 }  // namespace sandglass
