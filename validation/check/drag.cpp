@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gsl/gsl_sf_gamma.h>
 
@@ -41,7 +42,8 @@ bool is_obstacle_in_stream(const Scene& scene) {
 }
 
 double covered(int dimension, double radius) {
-  return dimension == 2 ? M_PI * radius * radius : 4 * M_PI / 3 * radius * radius * radius;
+  const double square = std::numbers::pi * radius * radius;
+  return dimension == 2 ? square : 4 * square * radius / 3;
 }
 
 law::StreamPastObstacle stream_of(const Subject& subject) {

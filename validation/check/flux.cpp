@@ -84,6 +84,8 @@ Evidence flux_rate(const Subject& subject, Way way) {
   if (!capabilities(subject.scene()).particles) return evidence;
   evidence.budget.systematic = (2 / subject.particles() + free_layers(subject.scene())) * evidence.expected;
   evidence.budget.reason = "finite N: moments of a sphere instead of a Gaussian";
+  if (free_layers(subject.scene()) > 0)
+    evidence.budget.reason += "; layers along walls that a radius keeps free";
   return evidence;
 }
 
