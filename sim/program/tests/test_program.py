@@ -122,6 +122,36 @@ def test_interrupt_writes_a_checkpoint_that_resumes(tmp_path):
     assert (tmp_path / "whole.xyz").read_bytes() == (tmp_path / "cut.xyz").read_bytes()
 
 
+HARD_DISKS = """
+run = { seed = 1, duration = { steps = 1000 } }
+domain = { dimension = 2, size = [40.0, 40.0] }
+method = { preset = "event-driven", time-step = 0.05 }
+[[species]]
+area-fraction = 0.4
+[initial]
+positions = "lattice"
+[output]
+event-trace = "events.csv"
+checkpoint = { steps = 20 }
+"""
+
+
+def test_after_a_hard_kill_the_event_trace_repeats_nothing(tmp_path):
+    whole, cut = tmp_path / "whole", tmp_path / "cut"
+    for folder in (whole, cut):
+        folder.mkdir()
+        (folder / "disks.toml").write_text(HARD_DISKS)
+    assert run("run", "disks.toml", "--quiet", folder=whole).returncode == 0
+    started = subprocess.Popen([str(PROGRAM), "run", "disks.toml", "--quiet"], cwd=cut)
+    while started.poll() is None and not (cut / "disks.checkpoint.h5").exists():
+        time.sleep(0.001)
+    started.kill()
+    assert started.wait(timeout=60) == -signal.SIGKILL, "it was done before it could be killed"
+    assert 0 < (cut / "events.csv").stat().st_size < (whole / "events.csv").stat().st_size
+    assert run("resume", "disks.checkpoint.h5", "--quiet", folder=cut).returncode == 0
+    assert (cut / "events.csv").read_bytes() == (whole / "events.csv").read_bytes()
+
+
 def test_full_disk_is_named_and_leaves_nothing_half_written(scene, tmp_path):
     def little_room():
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
