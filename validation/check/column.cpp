@@ -3,6 +3,7 @@
 #include "validation/check/free_flight.hpp"
 #include "validation/check/worst.hpp"
 #include "validation/law/free_molecular.hpp"
+#include "validation/law/isolated_column.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -138,18 +139,32 @@ Figure density_figure(const ColumnOfReplicas& column) {
   return figure;
 }
 
-/// Where particles collide, N of them share one energy with their heights: the factor of the law loses
-/// (m g h/T)^2/(D N) at most. Where they have a size, the floor holds fewer: 2 B_2 n there (B_2 n: twice the
-/// area fraction, four times the volume fraction).
-double systematic(const Subject& subject) {
+law::Column column_of(const Subject& subject) {
   const Scene& scene = subject.scene();
-  if (!capabilities(scene).collisions) return 0;
   const auto axis = static_cast<std::size_t>(vertical_axis(scene));
-  const double steepness =
-      subject.species().mass * -scene.gravity[axis] * scene.domain.size[axis] / subject.mean_temperature();
-  const double shared = steepness * steepness / (subject.dimension() * subject.particles());
-  const double at_floor = steepness / -std::expm1(-steepness);
-  return shared + (touches(scene) ? 2 * law::excluded_fraction(subject.gas(1)) * at_floor : 0);
+  return {subject.species().mass, subject.mean_temperature(), -scene.gravity[axis], scene.domain.size[axis]};
+}
+
+/// Particles in the emptiest of the bins, by the law.
+double fewest_in_a_bin(const law::Column& column, double bins, double particles) {
+  return particles * (1 - law::barometric_fraction(column, column.height * (1 - 1 / bins)));
+}
+
+/// Where particles collide, N of them share one energy; where they have a size, the floor holds fewer. To first order in
+/// 1/N and in the size, at the height where it shows most: a bin lies between such heights.
+double systematic(const Subject& subject, double bins) {
+  if (!capabilities(subject.scene()).collisions) return 0;
+  const law::Column column = column_of(subject);
+  const law::IsolatedColumn shifts(column, subject.dimension(), subject.particles());
+  const double excluded = touches(subject.scene()) ? law::excluded_fraction(subject.gas(1)) : 0;
+  double temperature = 0, density = 0, size = 0;
+  for (const double z : {0.0, shifts.largest_density_height(), column.height}) {
+    temperature = std::max(temperature, std::abs(shifts.temperature_shift(z)));
+    density = std::max(density, std::abs(shifts.density_shift(z)));
+    size = std::max(size, std::abs(law::excluded_volume_shift(column, excluded, z)));
+  }
+  const double few = fewest_in_a_bin(column, bins, subject.particles());
+  return std::max(temperature * law::weight_of_crowded_samples(few), density + size);
 }
 
 Evidence barometric_column(const Subject& subject, const law::Arguments& numbers) {
@@ -161,7 +176,7 @@ Evidence barometric_column(const Subject& subject, const law::Arguments& numbers
       "density over the barometric law at the run's own temperature, and that temperature in each bin "
       "and along each axis over their mean; worst: " +
       worst.label();
-  evidence.budget.systematic = systematic(subject);
+  evidence.budget.systematic = systematic(subject, static_cast<double>(column.bins()));
   evidence.budget.reason = "finite N at fixed energy; particles of finite size";
   evidence.figures.push_back(density_figure(column));
   return evidence;
