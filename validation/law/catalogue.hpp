@@ -14,5 +14,6 @@ std::vector<Law> flux_laws();            ///< velocities of particles that cross
 std::vector<Law> transport_laws();       ///< viscosities
 std::vector<Law> few_body_laws();        ///< a ball on a floor, balls in a row
 std::vector<Law> free_molecular_laws();  ///< walls, obstacles and gravity without collisions
+std::vector<Law> uniform_shear_laws();   ///< a gas that is sheared, Bagnold
 
 }  // namespace sandglass::law
