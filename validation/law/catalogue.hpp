@@ -14,5 +14,11 @@ std::vector<Law> flux_laws();            ///< velocities of particles that cross
 std::vector<Law> transport_laws();       ///< viscosities
 std::vector<Law> few_body_laws();        ///< a ball on a floor, balls in a row
 std::vector<Law> free_molecular_laws();  ///< walls, obstacles and gravity without collisions
+std::vector<Law> heap_laws();            ///< shape and growth of a heap
+std::vector<Law> falling_laws();         ///< free fall, collapse under gravity, flow along it
+std::vector<Law> vibrated_bed_laws();    ///< energy that a vibrating bottom gives
+std::vector<Law> fluctuation_laws();     ///< counts in a slice and their spectrum
+std::vector<Law> impact_laws();          ///< impact parameters that are not spread evenly
+std::vector<Law> uniform_shear_laws();   ///< a gas that is sheared, Bagnold
 
 }  // namespace sandglass::law

@@ -10,15 +10,6 @@ using namespace parameter;
 namespace {
 constexpr const char* kOfAFewBalls = "exact; hard balls, binary collisions";
 
-Parameter with_fallback(Parameter parameter, double fallback) {
-  parameter.fallback = fallback;
-  return parameter;
-}
-
-Parameter gravity() {
-  return with_fallback(positive("gravity", "length time^-2", "acceleration downwards"), 1);
-}
-
 Parameter number(std::string name, std::string summary, double low) {
   return {.name = std::move(name),
           .units = "1",

@@ -9,11 +9,6 @@ using namespace parameter;
 namespace {
 constexpr const char* kEnergy = "mass length^2 time^-2";
 
-Parameter with_fallback(Parameter parameter, double fallback) {
-  parameter.fallback = fallback;
-  return parameter;
-}
-
 Parameter share(std::string name, std::string summary) {
   return {.name = std::move(name),
           .units = "1",

@@ -10,11 +10,6 @@ constexpr double kHuge = std::numeric_limits<double>::max();
 constexpr double kClosePackedDisks = 0.90689968211710892;    // pi/(2 sqrt 3)
 constexpr double kClosePackedSpheres = 0.74048048969306104;  // pi/(3 sqrt 2)
 
-Parameter fallback_one(Parameter parameter) {
-  parameter.fallback = 1;
-  return parameter;
-}
-
 double value_or(const Arguments& arguments, const std::string& name, double fallback) {
   const auto found = arguments.find(name);
   return found == arguments.end() ? fallback : found->second;
@@ -30,13 +25,13 @@ Parameter dimension() {
           .step = 1};
 }
 
-Parameter diameter() { return fallback_one(positive("diameter", "length", "particle diameter")); }
+Parameter diameter() { return with_fallback(positive("diameter", "length", "particle diameter"), 1); }
 
-Parameter mass() { return fallback_one(positive("mass", "mass", "particle mass")); }
+Parameter mass() { return with_fallback(positive("mass", "mass", "particle mass"), 1); }
 
 Parameter temperature() {
-  return fallback_one(
-      positive("temperature", "mass length^2 time^-2", "granular temperature m<C^2>/dimension"));
+  return with_fallback(
+      positive("temperature", "mass length^2 time^-2", "granular temperature m<C^2>/dimension"), 1);
 }
 
 Parameter area_fraction() {
@@ -57,7 +52,7 @@ Parameter volume_fraction() {
           .dimension = 3};
 }
 
-Parameter restitution() { return fallback_one(dissipation()); }
+Parameter restitution() { return with_fallback(dissipation(), 1); }
 
 Parameter dissipation() {
   return {.name = "restitution", .units = "1", .summary = "normal restitution", .low = 0, .high = 1};
@@ -73,6 +68,21 @@ Parameter any_real(std::string name, std::string units, std::string summary) {
 
 Parameter elapsed(std::string name, std::string units, std::string summary) {
   return {std::move(name), std::move(units), std::move(summary), 0, kHuge};
+}
+
+Parameter gravity() {
+  return with_fallback(positive("gravity", "length time^-2", "acceleration downwards"), 1);
+}
+
+Parameter further_restitution(std::string name, std::string summary) {
+  return {std::move(name), "1", std::move(summary), 0, 1, 1};
+}
+
+Parameter shear_rate() { return positive("shear-rate", "1/time", "of the mean velocity across the flow"); }
+
+Parameter with_fallback(Parameter parameter, double fallback) {
+  parameter.fallback = fallback;
+  return parameter;
 }
 
 Parameter order() {

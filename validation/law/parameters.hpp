@@ -19,6 +19,12 @@ Parameter positive(std::string name, std::string units, std::string summary);
 Parameter any_real(std::string name, std::string units, std::string summary);
 /// Zero or positive.
 Parameter elapsed(std::string name, std::string units, std::string summary);
+/// Acceleration downwards, 1 unless given.
+Parameter gravity();
+/// One restitution more, of a wall say; elastic unless given.
+Parameter further_restitution(std::string name, std::string summary);
+Parameter shear_rate();
+Parameter with_fallback(Parameter parameter, double fallback);
 Parameter order();
 Parameter sonine_a2();
 
