@@ -26,6 +26,8 @@ const std::vector<FaultEntry<SceneChange>>& boundary_faults() {
            surface.restitution = std::min(1.0, 1.02 * surface.restitution);
          });
        }},
+      {{"wall-restitution-dropped", "walls and obstacles lose no energy of the normal motion"},
+       [](Scene& scene) { change_surfaces(scene, [](SurfaceRule& surface) { surface.restitution = 1; }); }},
       {{"wall-temperature-plus-20-percent", "thermal walls and obstacles at 1.2 times their temperature"},
        [](Scene& scene) {
          change_surfaces(scene, [](SurfaceRule& surface) { surface.temperature *= 1.2; });
@@ -44,9 +46,24 @@ const std::vector<FaultEntry<SceneChange>>& boundary_faults() {
   return all;
 }
 
+const std::vector<FaultEntry<SceneChange>>& exchange_faults() {
+  static const std::vector<FaultEntry<SceneChange>> all = {
+      {{"open-sides-reflect", "open sides are smooth, elastic walls"},
+       [](Scene& scene) {
+         for (auto& sides : scene.domain.sides) std::ranges::replace(sides, Side::open, Side::specular);
+       }},
+      {{"source-rate-minus-10-percent", "sources pour 10% too slowly"},
+       [](Scene& scene) {
+         for (Source& source : scene.sources) source.rate *= 0.9;
+       }},
+  };
+  return all;
+}
+
 Scene with_boundary_fault(const Scene& scene, const std::string& name) {
   Scene told = scene;
   plant(boundary_faults(), name, told);
+  plant(exchange_faults(), name, told);
   return told;
 }
 

@@ -1,5 +1,7 @@
 #include "sim/method/cell_simulator.hpp"
 
+#include "sim/observe/axes.hpp"
+
 namespace sandglass {
 
 template <int D>
@@ -17,6 +19,7 @@ template <int D>
 void CellSimulator<D>::assign(const Particles<D>& particles) {
   store_.assign(particles);
   time_ = 0;
+  left_ = {};
 }
 
 template <int D>
@@ -50,7 +53,44 @@ template <int D>
 void CellSimulator<D>::end_step(double dt) {
   time_ += dt;
   tally_.moves += store_.size();
+  if (store_.arrivals()[store_.removed()] > 0) count_those_who_leave();
   store_.sort();
+}
+
+/// The flight has left them outside the box, and the sort is about to drop them.
+template <int D>
+void CellSimulator<D>::count_those_who_leave() {
+  const auto particles = store_.phases();
+  const auto* places = store_.places();
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if (places[i].cell == store_.removed()) count_one_who_leaves(particles[i].position);
+}
+
+/// Once, where an offset has put it beyond a corner.
+template <int D>
+void CellSimulator<D>::count_one_who_leaves(const Vector<D>& position) {
+  for (int axis = 0; axis < D; ++axis)
+    for (const bool high : {false, true}) {
+      const auto index = static_cast<std::size_t>(axis);
+      const bool beyond = high ? position[axis] > store_.grid().box()[axis] : position[axis] < 0;
+      if (motion_parameters_.open[index][high] && beyond) {
+        ++left_[index][high];
+        return;
+      }
+    }
+}
+
+template <int D>
+std::map<std::string, double> CellSimulator<D>::counters() const {
+  std::map<std::string, double> counters;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    for (const bool high : {false, true}) {
+      if (!motion_parameters_.open[axis][high]) continue;
+      const auto left = static_cast<double>(left_[axis][high]);
+      counters["particles-left"] += left;
+      counters["particles-left-" + axis_name(static_cast<int>(axis)) + (high ? "-high" : "-low")] = left;
+    }
+  return counters;
 }
 
 template <int D>
@@ -64,6 +104,9 @@ template <int D>
 Memory CellSimulator<D>::save() const {
   Memory memory{{"cells/next-id", {static_cast<double>(store_.next_id())}}};
   if (motion_parameters_.walls_move()) memory["motion/time"] = {time_};
+  if (motion_parameters_.has_open_side())
+    for (const auto& sides : left_)
+      for (const std::uint64_t count : sides) memory["motion/left"].push_back(static_cast<double>(count));
   return memory;
 }
 
@@ -71,6 +114,9 @@ template <int D>
 void CellSimulator<D>::load(const Memory& memory) {
   store_.set_next_id(static_cast<std::uint64_t>(memory.at("cells/next-id").at(0)));
   if (motion_parameters_.walls_move()) time_ = memory.at("motion/time").at(0);
+  if (!motion_parameters_.has_open_side()) return;
+  for (std::size_t i = 0; i < 2 * D; ++i)
+    left_[i / 2][i % 2] = static_cast<std::uint64_t>(memory.at("motion/left").at(i));
 }
 
 template class CellSimulator<2>;

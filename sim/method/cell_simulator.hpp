@@ -25,6 +25,8 @@ class CellSimulator : public Simulator<D> {
   void insert(const Particles<D>& particles) override;
   void remove(std::span<const std::uint32_t> places) override;
   Tally& tally() override { return tally_; }
+  /// Those who have left by open sides; nothing in a box without one.
+  std::map<std::string, double> counters() const override;
   Memory save() const override;
   void load(const Memory& memory) override;
   std::size_t bytes() const override { return store_.bytes(); }
@@ -46,11 +48,16 @@ class CellSimulator : public Simulator<D> {
   Tally tally_;
 
  private:
+  void count_those_who_leave();
+  void count_one_who_leaves(const Vector<D>& position);
+
   SpeciesTraits traits_;
   double weight_;
   motion::MotionParameters<D> motion_parameters_;
   std::unique_ptr<motion::MotionStage<D>> motion_;
   double time_ = 0;  ///< since assign(): moving walls ask
+  std::array<std::array<std::uint64_t, 2>, D>
+      left_{};  ///< since assign(), by axis: over the low, the high side
 };
 
 extern template class CellSimulator<2>;

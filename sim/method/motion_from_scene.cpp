@@ -24,7 +24,10 @@ motion::MotionParameters<D> motion_of(const Scene& scene) {
   motion.mass = scene.species.front().mass;
   motion.gravity = vector_of<D>(scene.gravity);
   for (std::size_t axis = 0; axis < D; ++axis)
-    motion.walled[axis] = scene.domain.sides[axis][0] == Side::specular;
+    for (std::size_t high = 0; high < 2; ++high) {
+      motion.walled[axis] = scene.domain.sides[axis][high] != Side::periodic;
+      motion.open[axis][high] = scene.domain.sides[axis][high] == Side::open;
+    }
   for (const Wall& wall : scene.walls) motion.walls.push_back(place_of<D>(scene, wall));
   for (const Obstacle& obstacle : scene.obstacles)
     motion.obstacles.push_back(

@@ -1,6 +1,7 @@
 #include "sim/motion/bounded_flight.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/motion/passages.hpp"
 #include "sim/physics/obstacle_flight.hpp"
 #include "sim/physics/plane_flight.hpp"
 #include "sim/space/flight.hpp"
@@ -35,16 +36,6 @@ void push_out(const Vector<D>& centre, double radius, Vector<D>& x) {
     reach += std::numeric_limits<double>::epsilon() * (reach + centre.norm());
 }
 
-void count_passages(std::vector<Plane>& planes, int axis, double length, double from, double to,
-                    double velocity) {
-  for (Plane& plane : planes) {
-    if (plane.axis() != axis) continue;
-    const double passages =
-        std::floor((to - plane.position()) / length) - std::floor((from - plane.position()) / length);
-    for (int i = 0; i < std::abs(static_cast<int>(passages)); ++i) plane.count(velocity);
-  }
-}
-
 }  // namespace
 
 template <int D>
@@ -53,12 +44,14 @@ void BoundedFlight<D>::fly(Phase<D>& particle, Random& random, std::vector<Plane
   double time = step_.time, left = step_.dt;
   wrap_around(particle.position);
   put_inside(time, particle.position);
+  if (surfaces_.has_left(particle.position)) return;
   int hits = 0, pieces = 0;
   while (left > 0 && hits < kMostHits) {
     const Event event = first_event(particle, time, left);
     left -= event.delay;
     time = end - left;
     move(particle, event, time, planes);
+    if (event.kind == Event::Kind::exit) return;
     if (event.kind == Event::Kind::wall || event.kind == Event::Kind::obstacle) {
       turn_at(event, time, particle, random);
       ++hits;
@@ -79,6 +72,7 @@ typename BoundedFlight<D>::Event BoundedFlight<D>::first_event(const Phase<D>& p
     first.delay = piece(particle.velocity, left);
     look_for_seams(particle, first);
   }
+  look_for_exits(particle, first);
   look_for_walls(particle, time, first);
   if (!surfaces_.obstacles.empty()) look_for_obstacles(particle, first);
   return first;
@@ -100,6 +94,16 @@ void BoundedFlight<D>::look_for_seams(const Phase<D>& particle, Event& first) co
     const double low = time_to_wall(x, v, g, 0, -1), high = time_to_wall(x, v, g, box_[axis], 1);
     if (const double delay = std::min(low, high); delay < first.delay)
       first = {Event::Kind::seam, delay, static_cast<std::size_t>(axis)};
+  }
+}
+
+template <int D>
+void BoundedFlight<D>::look_for_exits(const Phase<D>& particle, Event& first) const {
+  for (std::size_t i = 0; i < surfaces_.open.size(); ++i) {
+    const OpenSide& side = surfaces_.open[i];
+    const Arc arc{side.height(particle.position[side.axis]), side.inward * particle.velocity[side.axis],
+                  side.inward * gravity_[side.axis]};
+    if (const double delay = time_to_fall(arc); delay < first.delay) first = {Event::Kind::exit, delay, i};
   }
 }
 
@@ -139,12 +143,19 @@ void BoundedFlight<D>::move(Phase<D>& particle, const Event& event, double time,
   particle.position = end_of<D>(particle, gravity_, event.delay);
   place_on(event, time, particle.position);
   if (planes != nullptr)
-    for (int axis = 0; axis < D; ++axis)
-      count_passages(*planes, axis, box_[axis], from[axis], particle.position[axis], particle.velocity[axis]);
+    for (Plane& plane : *planes) {
+      const int axis = plane.axis();
+      count_passages(plane, box_[axis], {from[axis], particle.velocity[axis], gravity_[axis]}, event.delay,
+                     particle.position[axis]);
+    }
   particle.velocity += event.delay * gravity_;
   if (event.kind == Event::Kind::seam) {
     double& x = particle.position[static_cast<int>(event.index)];
     x = x == 0 ? box_[static_cast<int>(event.index)] : 0;
+  }
+  if (event.kind == Event::Kind::exit) {
+    const OpenSide& side = surfaces_.open[event.index];
+    particle.position[side.axis] = side.edge - side.inward * box_[side.axis];
   }
 }
 
@@ -153,6 +164,7 @@ template <int D>
 void BoundedFlight<D>::place_on(const Event& event, double time, Vector<D>& x) const {
   switch (event.kind) {
     case Event::Kind::end:
+    case Event::Kind::exit:
       break;
     case Event::Kind::seam: {
       const int axis = static_cast<int>(event.index);

@@ -17,21 +17,22 @@ class BoundedFlight {
   BoundedFlight(const Surfaces<D>& surfaces, const Vector<D>& box, const MotionStep& step)
       : surfaces_(surfaces), gravity_(surfaces.parameters.gravity), box_(box), step_(step) {}
 
-  /// What starts behind a wall or in an obstacle is first put on the nearest point of the surface. `planes`: those that
-  /// count; null for none.
+  /// What starts behind a wall or in an obstacle is first put on the nearest point of the surface. Who leaves by an open
+  /// side is left outside the box. `planes`: those that count; null for none.
   void fly(Phase<D>& particle, Random& random, std::vector<Plane>* planes) const;
 
  private:
   /// What ends a straight or falling piece of the path.
   struct Event {
-    enum class Kind { end, seam, wall, obstacle } kind;
+    enum class Kind { end, seam, wall, obstacle, exit } kind;
     double delay;
-    std::size_t index = 0;  ///< of the wall or obstacle; of a seam, the axis
+    std::size_t index = 0;  ///< of the wall, obstacle or open side; of a seam, the axis
   };
 
   Event first_event(const Phase<D>& particle, double time, double left) const;
   double piece(const Vector<D>& velocity, double left) const;
   void look_for_seams(const Phase<D>& particle, Event& first) const;
+  void look_for_exits(const Phase<D>& particle, Event& first) const;
   void look_for_walls(const Phase<D>& particle, double time, Event& first) const;
   void look_for_obstacles(const Phase<D>& particle, Event& first) const;
 

@@ -24,6 +24,8 @@ auto with_plain_walls(const MotionParameters<D>& parameters, Function function) 
 
 template <int D, class Function>
 auto choose_flight(const MotionParameters<D>& parameters, const Vector<D>& box, Function function) {
+  if (parameters.has_open_side())
+    return with_planes<SurfaceFlight<D, true>>(Surfaces<D>(parameters, box), parameters.planes, function);
   if (!are_plain(parameters, box))
     return with_planes<SurfaceFlight<D>>(Surfaces<D>(parameters, box), parameters.planes, function);
   return parameters.gravity.isZero(0) ? with_plain_walls<D, false>(parameters, function)

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "sim/motion/motion_stage.hpp"
-#include "sim/space/cell_locator.hpp"
 
 namespace sandglass::motion {
 
-/// The loop over particles, for a `Flight` that carries one of them through the step.
+/// The loop over particles, for a `Flight` that carries one of them through the step and a `Flight::Locator` that finds the
+/// cell where it arrives.
 template <class Flight, bool Crossings, int D = Flight::kDimension>
 class MotionKernel final : public MotionStage<D> {
  public:
@@ -14,7 +14,7 @@ class MotionKernel final : public MotionStage<D> {
 
   void advance(ParticleStore<D>& store, std::size_t first, std::size_t last,
                const MotionStep& step) const override {
-    const CellLocator<D> locator(store.grid());
+    const typename Flight::Locator locator(store.grid());
     const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
@@ -38,7 +38,7 @@ class RefusableKernel final : public RefusableStage<D> {
 
   void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
                std::uint32_t* targets) const override {
-    const CellLocator<D> locator(store.grid());
+    const typename Flight::Locator locator(store.grid());
     const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
     const auto particles = store.phases();
     // Two of them, for a register reads past the end of the first.

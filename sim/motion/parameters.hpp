@@ -36,13 +36,21 @@ struct ObstaclePlace {
 template <int D>
 struct MotionParameters {
   Vector<D> gravity = Vector<D>::Zero();
-  double mass = 1;               ///< of each particle; thermal walls ask
-  std::array<bool, D> walled{};  ///< per axis: walls at both ends, else periodic
-  bool offsets = false;          ///< collisions may have put particles outside the walls or into obstacles
+  double mass = 1;  ///< of each particle; thermal walls ask
+  std::array<bool, D>
+      walled{};          ///< per axis: not periodic; at each end stands a wall, unless that side is open
+  bool offsets = false;  ///< collisions may have put particles outside the walls or into obstacles
+  std::array<std::array<bool, 2>, D>
+      open{};  ///< per walled axis: the low, the high side lets particles out for good
   std::vector<WallPlace<D>> walls = {};  ///< a walled side not named here is smooth, elastic and at rest
   std::vector<ObstaclePlace<D>> obstacles = {};
   std::vector<Plane>* planes = nullptr;
 
+  bool has_open_side() const {
+    for (const auto& [low, high] : open)
+      if (low || high) return true;
+    return false;
+  }
   bool walls_move() const {
     for (const WallPlace<D>& wall : walls)
       if (wall.moves()) return true;
@@ -50,12 +58,13 @@ struct MotionParameters {
   }
 };
 
-/// The same surroundings at rest, smooth and elastic, without gravity: they keep the energy of a gas that comes to
+/// The same surroundings at rest, closed, smooth and elastic, without gravity: they keep the energy of a gas that comes to
 /// equilibrium.
 template <int D>
 MotionParameters<D> conserving(MotionParameters<D> parameters) {
   parameters.gravity.setZero();
   parameters.walls.clear();
+  parameters.open = {};
   for (ObstaclePlace<D>& obstacle : parameters.obstacles) obstacle.rule = {};
   return parameters;
 }

@@ -3,6 +3,8 @@
 #include "sim/base/error.hpp"
 #include "sim/motion/free_flight.hpp"
 #include "sim/motion/parameters.hpp"
+#include "sim/motion/passages.hpp"
+#include "sim/space/cell_locator.hpp"
 #include "sim/space/flight.hpp"
 
 #include <span>
@@ -24,6 +26,7 @@ class PlainFlight {
  public:
   static constexpr int kDimension = D;
   using Surroundings = MotionParameters<D>;
+  using Locator = CellLocator<D>;
   using Lane = Lanes<D>;
 
   PlainFlight(const Surroundings& parameters, const Vector<D>& box, const MotionStep& step,
@@ -80,10 +83,17 @@ class PlainFlight {
     x = wrap(x, length, 1 / length);
   }
 
-  /// Planes are normal to periodic axes without gravity: the signed number of passages is that of the unwrapped path.
+  /// Planes are normal to periodic axes: the passages are those of the unwrapped path.
   [[gnu::always_inline]] void count_crossings(const Phase<D>& particle) const {
     for (Plane& plane : *parameters_.planes) {
       const double length = box_[plane.axis()], velocity = particle.velocity[plane.axis()];
+      if constexpr (Gravity) {
+        if (const double pull = parameters_.gravity[plane.axis()]; pull != 0) {
+          const Arc arc{particle.position[plane.axis()], velocity, pull};
+          count_passages(plane, length, arc, dt_, arc.at(dt_));
+          continue;
+        }
+      }
       const double before = wrap(particle.position[plane.axis()], length, 1 / length) - plane.position();
       const double after = before + velocity * dt_;
       if ((before < 0) == (after < 0) && std::abs(after) < length) [[likely]]

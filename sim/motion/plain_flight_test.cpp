@@ -97,6 +97,42 @@ TEST(MotionStage, CountsCrossingsLikeArithmetic) {
   EXPECT_EQ(histogram[2] + histogram[3], up);
 }
 
+/// Passages of a parabola through all images of a plane, by the roots of its equation; velocities at them.
+std::vector<double> passages(double x, double v, double g, double length, double plane, double time) {
+  std::vector<double> velocities;
+  for (int image = -500; image <= 500; ++image) {
+    const double square = v * v + 2 * g * (plane + image * length - x);
+    for (const int sign : {-1, 1}) {
+      const double t = (sign * std::sqrt(square) - v) / g;  // not a number: never there
+      if (t > 0 && t <= time) velocities.push_back(v + g * t);
+    }
+  }
+  return velocities;
+}
+
+TEST(MotionStage, CountsPassagesOfFallingParticles) {
+  constexpr double kPlane = 0.4, kDt = 0.37, kGravity = -6;
+  constexpr int kSteps = 20;
+  auto store = scattered<2>(12, 0, 500);
+  Plane expected(0, kPlane, {-60, -30, -5, 0, 5, 60});
+  for (const Phase<2>& particle : store.phases())
+    for (const double velocity :
+         passages(particle.position[0], particle.velocity[0], kGravity, box<2>()[0], kPlane, kDt * kSteps))
+      expected.count(velocity);
+  std::vector<Plane> planes{{0, kPlane, expected.edges()}};
+  MotionParameters<2> parameters;
+  parameters.gravity[0] = kGravity;
+  parameters.planes = &planes;
+  const auto motion = make_motion_stage<2>(parameters, box<2>());
+  for (int step = 0; step < kSteps; ++step) {
+    store.begin_step();
+    motion->advance(store, 0, store.size(), {kDt});
+    store.sort();
+  }
+  EXPECT_GT(expected.up(), 300);
+  EXPECT_EQ(planes[0].save(), expected.save());
+}
+
 /// Whatever a broken state brings, nothing is written outside the cells; the velocity shows it.
 TEST(MotionStage, StopsAtWhatIsNotANumber) {
   for (const double wrong : {std::nan(""), HUGE_VAL})

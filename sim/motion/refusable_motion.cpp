@@ -7,10 +7,12 @@ void RefusableMotion<D>::advance(ParticleStore<D>& store, const MotionStep& step
   const std::size_t count = store.size();
   targets_.resize(count);
   refused_.assign(count, 0);
-  entering_.assign(store.grid().size(), 0);
+  entering_.assign(store.grid().size() + 1, 0);
   stage_->propose(store, 0, count, step, targets_.data());
   count_entering(store.offsets());
-  rule.decide({store.grid(), store.offsets(), targets_, entering_, refused_});
+  rule.decide(
+      {store.grid(), store.offsets(), targets_, std::span(entering_).first(store.grid().size()), refused_});
+  if (entering_.back() > 0) let_go(store.removed());
   stage_->advance_accepted(store, 0, count, step, refused_.data());
   take_places(store);
 }
@@ -20,6 +22,13 @@ void RefusableMotion<D>::count_entering(std::span<const std::uint32_t> offsets) 
   for (std::uint32_t cell = 0; cell + 1 < offsets.size(); ++cell)
     for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i)
       entering_[targets_[i]] += targets_[i] != cell;
+}
+
+/// Whoever would leave the box may.
+template <int D>
+void RefusableMotion<D>::let_go(std::uint32_t removed) {
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    if (targets_[i] == removed) refused_[i] = false;
 }
 
 /// In the order (old cell, old place), whatever the order of the flights.

@@ -11,10 +11,12 @@ namespace sandglass::motion {
 template <int D>
 struct Proposals {
   const Grid<D>& grid;
-  std::span<const std::uint32_t> offsets;   ///< first particle of each cell, one more entry than cells
-  std::span<const std::uint32_t> targets;   ///< cell where each particle would arrive
+  std::span<const std::uint32_t> offsets;  ///< first particle of each cell, one more entry than cells
+  std::span<const std::uint32_t>
+      targets;  ///< cell where each particle would arrive; the number of cells: it would leave
   std::span<const std::uint32_t> entering;  ///< per cell: particles that would come from other cells
-  std::span<std::uint8_t> refused;          ///< per particle, false at first: the rule's to set
+  std::span<std::uint8_t>
+      refused;  ///< per particle, false at first: the rule's to set; who would leave is not refused
 };
 
 /// Which moves of a step are refused. What it decides for a particle may depend on the proposals and on (old cell, old
@@ -43,6 +45,7 @@ class RefusableMotion {
 
  private:
   void count_entering(std::span<const std::uint32_t> offsets);
+  void let_go(std::uint32_t removed);
   void take_places(ParticleStore<D>& store) const;
 
   std::unique_ptr<RefusableStage<D>> stage_;

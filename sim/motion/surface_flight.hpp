@@ -2,21 +2,25 @@
 
 #include "sim/motion/bounded_flight.hpp"
 #include "sim/motion/free_flight.hpp"
+#include "sim/motion/open_locator.hpp"
+#include "sim/motion/passages.hpp"
 #include "sim/motion/plain_flight.hpp"
 #include "sim/motion/stream_index.hpp"
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 
 namespace sandglass::motion {
 
 /// The flight of one step between walls and obstacles of every kind: free where nothing can be in the way, else from
-/// surface to surface.
-template <int D>
+/// surface to surface. `Open`: some side lets particles out.
+template <int D, bool Open = false>
 class SurfaceFlight {
  public:
   static constexpr int kDimension = D;
   using Surroundings = Surfaces<D>;
+  using Locator = std::conditional_t<Open, OpenLocator<D>, CellLocator<D>>;
   using Lane = Lanes<D>;
   using Real = typename Lane::Real;
 
@@ -24,6 +28,7 @@ class SurfaceFlight {
   SurfaceFlight(const Surfaces<D>& surfaces, const Vector<D>& box, const MotionStep& step,
                 std::span<const std::uint32_t> offsets)
       : surfaces_(surfaces),
+        dt_(step.dt),
         key_(step.key),
         offsets_(offsets),
         free_(surfaces.parameters.gravity, box, step.dt),
@@ -36,7 +41,8 @@ class SurfaceFlight {
     high_ = Lane::from(high, HUGE_VAL);
   }
 
-  /// The answer is where the flight ends; what a moving wall has carried out of the box counts as at its edge.
+  /// The answer is where the flight ends: outside the box for who has left it; what a moving wall has carried out counts as
+  /// at its edge.
   template <bool Counts>
   [[gnu::always_inline]] Real fly(Phase<D>& particle, std::size_t i) const {
     double* components = particle.position.data();
@@ -74,11 +80,15 @@ class SurfaceFlight {
            !surfaces_.obstacles.touches_any(from, to);
   }
 
-  /// The path stays in the box: it passes a plane once or not at all.
+  /// The path stays in the box: without gravity it passes a plane once or not at all.
   void count_crossings(const Real& start, const Real& end, const Real& velocity) const {
-    for (Plane& plane : *surfaces_.parameters.planes)
-      if ((start[plane.axis()] < plane.position()) != (end[plane.axis()] < plane.position()))
-        plane.count(velocity[plane.axis()]);
+    for (Plane& plane : *surfaces_.parameters.planes) {
+      const int axis = plane.axis();
+      if (const double pull = surfaces_.parameters.gravity[axis]; pull != 0)
+        count_passages(plane, box_[axis], {start[axis], velocity[axis], pull}, dt_, end[axis]);
+      else if ((start[axis] < plane.position()) != (end[axis] < plane.position()))
+        plane.count(velocity[axis]);
+    }
   }
 
   template <bool Counts>
@@ -87,6 +97,8 @@ class SurfaceFlight {
     Random random = surfaces_.draws ? stream_of(i) : Random();
     bounded_.fly(particle, random, Counts ? surfaces_.parameters.planes : nullptr);
     require_finite(particle);
+    if constexpr (Open)
+      if (surfaces_.has_left(particle.position)) return Lane::from(particle.position, 0);
     return in_box(Lane::from(particle.position, 0));
   }
 
@@ -97,6 +109,7 @@ class SurfaceFlight {
   }
 
   const Surfaces<D>& surfaces_;
+  double dt_;
   StreamKey key_;
   std::span<const std::uint32_t> offsets_;
   FreeFlight<D> free_;

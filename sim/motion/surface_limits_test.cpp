@@ -210,7 +210,8 @@ TEST(SurfaceFlight, RefusesSurroundingsThatMakeNoSense) {
   EXPECT_NO_THROW(make_motion_stage<2>(parameters, box<2>()));
   std::vector<Plane> planes{{0, 0.5, {-1, 1}}};
   parameters.planes = &planes;
-  parameters.gravity[0] = 1;  // along the normal of the plane
+  EXPECT_NO_THROW(make_motion_stage<2>(parameters, box<2>()));
+  parameters.walled[0] = true;  // at the ends of the plane's axis
   refused(parameters);
 }
 

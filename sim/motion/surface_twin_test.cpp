@@ -105,8 +105,8 @@ TEST(SurfaceFlight, AgreesWithThePlainKernel) {
 
 /// Passages of a plane by paths that obstacles and a vibrating wall turn back.
 template <int D>
-void expect_passages(double plane) {
-  MotionParameters<D> parameters = everything<D>(2);
+void expect_passages(double plane, int code) {
+  MotionParameters<D> parameters = everything<D>(code);
   auto store = scattered<D>(4, 0, 300);
   std::vector<Plane> planes{{0, plane, {-20, 0, 20}}};
   parameters.planes = &planes;
@@ -125,8 +125,12 @@ void expect_passages(double plane) {
   EXPECT_EQ(planes[0].down(), down);
 }
 TEST(SurfaceFlight, CountsPassagesAlongThePath) {
-  expect_passages<2>(0.5);  // through an obstacle
-  expect_passages<3>(1.5);
+  expect_passages<2>(0.5, 2);  // through an obstacle
+  expect_passages<3>(1.5, 2);
+}
+TEST(SurfaceFlight, CountsPassagesOfPathsThatGravityTurnsBack) {
+  expect_passages<2>(0.5, 4);
+  expect_passages<3>(1.5, 6);
 }
 
 }  // namespace

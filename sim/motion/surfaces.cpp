@@ -16,7 +16,9 @@ constexpr double kMargin = 1e-9;
 
 template <int D>
 bool stands(const WallPlace<D>& wall, const MotionParameters<D>& parameters) {
-  return wall.axis >= 0 && wall.axis < D && parameters.walled[static_cast<std::size_t>(wall.axis)];
+  if (wall.axis < 0 || wall.axis >= D) return false;
+  const auto axis = static_cast<std::size_t>(wall.axis);
+  return parameters.walled[axis] && !parameters.open[axis][wall.high];
 }
 
 template <int D>
@@ -41,8 +43,10 @@ template <int D>
 void check_walls(const MotionParameters<D>& parameters) {
   for (const WallPlace<D>& wall : parameters.walls)
     if (!stands(wall, parameters))
-      throw InputError(fmt::format(
-          "a wall stands normal to axis {}, which is periodic; put walls there ('domain.sides')", wall.axis));
+      throw InputError(
+          fmt::format("a wall stands normal to axis {}, at a side that is periodic or open; put walls there "
+                      "('domain.sides')",
+                      wall.axis));
 }
 
 template <int D>
@@ -63,10 +67,10 @@ template <int D>
 void check_planes(const MotionParameters<D>& parameters) {
   if (parameters.planes == nullptr) return;
   for (const Plane& plane : *parameters.planes)
-    if (parameters.walled[static_cast<std::size_t>(plane.axis())] || parameters.gravity[plane.axis()] != 0)
+    if (parameters.walled[static_cast<std::size_t>(plane.axis())])
       throw InputError(
-          fmt::format("a plane that counts is normal to axis {}, which has walls or gravity along it; choose "
-                      "a periodic axis across gravity ('observe.axis')",
+          fmt::format("a plane that counts is normal to axis {}, which has walls; choose a periodic axis "
+                      "('observe.axis')",
                       plane.axis()));
 }
 
@@ -96,13 +100,21 @@ Surfaces<D>::Surfaces(const MotionParameters<D>& from, const Vector<D>& box) : p
   check_planes(from);
   for (int axis = 0; axis < D; ++axis)
     if (from.walled[static_cast<std::size_t>(axis)])
-      for (const bool high : {false, true}) walls.emplace_back(side_of(from, box, axis, high));
+      for (const bool high : {false, true}) add_side(box, axis, high);
   std::vector<Ball<D>> balls;
   for (const ObstaclePlace<D>& obstacle : from.obstacles)
     balls.push_back({obstacle.centre, obstacle.radius * (1 + kMargin)});
   obstacles = BallIndex<D>(std::move(balls));
   for (const WallSurface<D>& wall : walls) draws = draws || sandglass::draws(wall.place.rule);
   for (const ObstaclePlace<D>& obstacle : from.obstacles) draws = draws || sandglass::draws(obstacle.rule);
+}
+
+template <int D>
+void Surfaces<D>::add_side(const Vector<D>& box, int axis, bool high) {
+  if (parameters.open[static_cast<std::size_t>(axis)][high])
+    open.push_back({axis, high ? box[axis] : 0, high ? -1.0 : 1.0});
+  else
+    walls.emplace_back(side_of(parameters, box, axis, high));
 }
 
 template <int D>

@@ -40,18 +40,39 @@ struct WallSurface {
   double along(double time) const { return place.moves() ? motion.at(time) : motion.position; }
 };
 
-/// Walls and obstacles of every kind, ready for the flight between them.
+/// A side of the box that lets particles out.
+struct OpenSide {
+  int axis;
+  double edge;
+  double inward;  ///< +1 at a low side, -1 at a high one
+
+  /// Of a coordinate; negative outside.
+  double height(double x) const { return inward * (x - edge); }
+};
+
+/// Walls, open sides and obstacles of every kind, ready for the flight between them.
 template <int D>
 struct Surfaces {
   Surfaces(const MotionParameters<D>& parameters, const Vector<D>& box);
 
+  bool has_left(const Vector<D>& x) const {
+    for (const OpenSide& side : open)
+      if (side.height(x[side.axis]) < 0) return true;
+    return false;
+  }
+
   MotionParameters<D> parameters;
-  std::vector<WallSurface<D>> walls;  ///< both sides of each walled axis, low side first
-  BallIndex<D> obstacles;             ///< a little larger than they are: who touches one by rounding is found
-  bool draws = false;                 ///< some rule asks for random numbers
+  std::vector<WallSurface<D>> walls;  ///< the sides of each walled axis that are not open, low side first
+  std::vector<OpenSide> open;
+  BallIndex<D> obstacles;  ///< a little larger than they are: who touches one by rounding is found
+  bool draws = false;      ///< some rule asks for random numbers
+
+ private:
+  void add_side(const Vector<D>& box, int axis, bool high);
 };
 
-/// Whether all walls are smooth, elastic, at rest and at the edges of the box, and there is no obstacle.
+/// Whether all walls are smooth, elastic, at rest and at the edges of the box, and there is no obstacle. Asked of a box
+/// without open sides.
 template <int D>
 bool are_plain(const MotionParameters<D>& parameters, const Vector<D>& box);
 

@@ -128,7 +128,7 @@ std::vector<double> ShearMode<D>::measure(const View<D>& view) {
       return std::array{all.real_mass(i) * particle.velocity[0] *
                         (cosine_ ? std::cos(phase) : std::sin(phase))};
     });
-    return std::vector{2 * sum[0] / all.total_mass};
+    return std::vector{view.particles.empty() ? 0 : 2 * sum[0] / all.total_mass};
   });
 }
 

@@ -30,7 +30,7 @@ std::array<double, K> sum_particles(const View<D>& view, Term term) {
   return sum;
 }
 
-/// Velocity of the centre of mass.
+/// Velocity of the centre of mass; zero without particles.
 template <int D, class All>
 Vector<D> mean_velocity(const View<D>& view, const All& all) {
   const auto sum = sum_particles<D>(view, [&all](const Phase<D>& particle, std::uint32_t i) {
@@ -39,7 +39,8 @@ Vector<D> mean_velocity(const View<D>& view, const All& all) {
       momentum[static_cast<std::size_t>(axis)] = all.real_mass(i) * particle.velocity[axis];
     return momentum;
   });
-  Vector<D> mean;
+  Vector<D> mean = Vector<D>::Zero();
+  if (view.particles.empty()) return mean;
   for (int axis = 0; axis < D; ++axis) mean[axis] = sum[static_cast<std::size_t>(axis)] / all.total_mass;
   return mean;
 }

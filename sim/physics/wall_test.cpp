@@ -85,6 +85,21 @@ void expect_bounce_back(Random& random, Hit<D> hit) {
   EXPECT_LT((hit.tangential(hit.after) + hit.tangential(hit.before)).norm(), 1e-14);
   EXPECT_EQ(hit.spin_after, hit.spin_before);
 }
+/// A rough wall of a shear cell, at rest along its normal: v_perp' = -r_w v_perp and v_par' = 2 v_w - v_par, (3.7) and
+/// (3.8) of Mueller (2001), with v_par and v_w in the frame of the laboratory.
+template <int D>
+void expect_shear_cell(Random& random, Hit<D> hit) {
+  const double r = random.uniform();
+  hit.wall -= hit.wall.dot(hit.normal) * hit.normal;
+  if (hit.along_normal(hit.before) > 0) hit.normal = -hit.normal;
+  hit.happen({WallKind::bounce_back, {{r}}}, random);
+  const double before = hit.before.dot(hit.normal), after = hit.after.dot(hit.normal);
+  EXPECT_NEAR(after, -r * before, 1e-14);
+  const Vector<D> along = hit.before - before * hit.normal, expected = 2 * hit.wall - along;
+  EXPECT_LT((hit.after - after * hit.normal - expected).norm(), 1e-14);
+}
+TEST(Wall, BounceBackIsTheRuleOfAShearCell) { IN_BOTH_DIMENSIONS(expect_shear_cell); }
+
 TEST(Wall, BounceBackReversesAll) { IN_BOTH_DIMENSIONS(expect_bounce_back); }
 
 template <int D>

@@ -21,7 +21,7 @@ void expect_work(const Setup<D>& setup, Plan& plan) {
   if (duration.time) plan.steps = *duration.time / plan.time_step;
   if (duration.steps) plan.steps = static_cast<double>(*duration.steps);
   if (duration.collisions) plan.steps = *duration.collisions / plan.collisions_per_particle_and_step;
-  const double runs = static_cast<double>(scene.run.replicas) * static_cast<double>(setup.particles);
+  const double runs = static_cast<double>(scene.run.replicas) * static_cast<double>(plan.particles);
   plan.particle_moves = plan.steps * runs;
   plan.expected_collisions = plan.steps * plan.collisions_per_particle_and_step * runs / 2;
 }
@@ -31,9 +31,12 @@ template <int D>
 void list_features(const Setup<D>& setup, Plan& plan) {
   const Scene& scene = setup.scene;
   bool walled = false;
-  for (const auto& sides : scene.domain.sides) walled |= sides[0] != Side::periodic;
+  for (const auto& sides : scene.domain.sides)
+    walled |= sides[0] == Side::specular || sides[1] == Side::specular;
   plan.feature("gravity", !scene.gravity.empty());
   plan.feature("walls", walled);
+  if (capabilities(scene).varying_number) plan.feature("open sides", has_open_side(scene.domain));
+  if (capabilities(scene).varying_number) plan.feature("sources", !scene.sources.empty());
   if (capabilities(scene).obstacles) plan.feature("obstacles", !scene.obstacles.empty());
   plan.feature("trajectory", scene.output.trajectory.has_value());
   plan.feature("checkpoints", scene.output.checkpoint.has_value());
@@ -51,7 +54,7 @@ Plan plan_of(const Scene& scene) {
   Plan plan;
   plan.method = scene.method.preset;
   plan.replicas = scene.run.replicas;
-  plan.particles = setup.particles;
+  plan.particles = setup.particles + poured_count(scene);
   expect_work(setup, plan);
   setup.method->plan(plan);
   list_features(setup, plan);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,7 @@ ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const S
       trace_(make_trace<D>(setup.scene, streams, state)),
       simulator_(setup.method->build(streams, {&planes_, trace_.get()})),
       stepper_(setup) {
+  if (!setup.sources.empty()) sources_.emplace(setup, streams);
   std::size_t plane = 0;
   for (std::size_t i = 0; i < setup.observers.size(); ++i) {
     for (auto& observer : make_observers<D>(setup.observers[i], plane)) {
@@ -68,6 +70,7 @@ void ReplicaRun<D>::step() {
   ++clock_.step;
   clock_.time = scene_.method.time_step.fixed ? static_cast<double>(clock_.step) * dt : clock_.time + dt;
   clock_.collisions = collisions_.per_particle(simulator_->tally().collisions, simulator_->size());
+  if (sources_) sources_->pour(*simulator_, clock_);
   sample_what_is_due();
   if (clock_.step % 1'000'000 == 0) refuse_standstill();
 }
@@ -113,6 +116,8 @@ template <int D>
 std::map<std::string, double> ReplicaRun<D>::counters() {
   const Tally& tally = simulator_->tally();
   std::map<std::string, double> counters = simulator_->counters();
+  if (sources_)
+    counters["particles-poured"] = std::accumulate(sources_->poured().begin(), sources_->poured().end(), 0.0);
   counters["steps"] = static_cast<double>(clock_.step);
   counters["collisions"] = static_cast<double>(tally.collisions);
   counters["candidates"] = static_cast<double>(tally.candidates);
@@ -126,6 +131,7 @@ State ReplicaRun<D>::save() {
   simulator_->tally().save(state.memory);
   state.memory["time-step"] = stepper_.save();
   state.memory["collisions"] = collisions_.save();
+  if (sources_) state.memory["sources"] = sources_->poured();
   if (trace_) state.memory["event-trace"] = {static_cast<double>(trace_->flush())};
   for (std::size_t i = 0; i < planes_.size(); ++i)
     state.memory[fmt::format("plane-{}", i)] = planes_[i].save();
@@ -143,6 +149,7 @@ void ReplicaRun<D>::load(const State& state) {
   simulator_->tally().load(state.memory);
   stepper_.load(state.memory.at("time-step"));
   collisions_.load(state.memory.at("collisions"));
+  if (sources_) sources_->load(state.memory.at("sources"));
   clock_ = {state.step, state.time,
             collisions_.per_particle(simulator_->tally().collisions, simulator_->size())};
   for (std::size_t i = 0; i < planes_.size(); ++i)

@@ -3,9 +3,11 @@
 #include "sim/run/collision_count.hpp"
 #include "sim/run/event_trace.hpp"
 #include "sim/run/schedule.hpp"
+#include "sim/run/sources.hpp"
 #include "sim/run/time_step.hpp"
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -54,6 +56,7 @@ class ReplicaRun {
   std::unique_ptr<EventTrace<D>> trace_;  ///< of the first replica, if asked for
   std::unique_ptr<Simulator<D>> simulator_;
   TimeStepper<D> stepper_;
+  std::optional<Sources<D>> sources_;
   Clock clock_;
   CollisionCount collisions_;
   std::vector<Watch> watches_;

@@ -257,6 +257,18 @@ Scene surfaces(const std::string& preset) {
   return scene;
 }
 
+/// Particles come in and go out.
+Scene beam() {
+  Scene scene = test_scene(2, 12, 60);
+  dsmc_options(scene).cells = {6, 6};
+  scene.domain.sides[0] = {Side::open, Side::open};
+  scene.sources = {{3, {}, {}, {6, 6}, {}, {1, 0}}};
+  scene.run.duration.steps = 400;
+  scene.observe.emplace_back().what = "energy";
+  scene.observe.back().cadence.every = 400;
+  return scene;
+}
+
 double change_of_energy(const Scene& scene, const std::string& fault) {
   RunOptions options;
   options.mutation.name = fault;
@@ -273,7 +285,8 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   few.species[0].fraction = 0.3;
   few.run.duration.steps = 300;
   std::map<std::string, std::vector<Scene>> scenes;
-  for (const Scene& scene : {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven")})
+  for (const Scene& scene :
+       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))

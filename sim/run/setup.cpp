@@ -1,5 +1,6 @@
 #include "sim/run/setup.hpp"
 
+#include "sim/method/boundary_faults.hpp"
 #include "sim/method/collision_rate.hpp"
 #include "sim/run/families.hpp"
 #include "sim/scene/method/capabilities.hpp"
@@ -53,7 +54,11 @@ Needs needs_of(const std::vector<ObserverSpec>& observers) {
 
 template <int D>
 Setup<D> set_up(const Scene& scene, const Mutation& mutation) {
-  Setup<D> setup{scene, {}, nullptr, capabilities(scene).particles ? particle_count(scene) : 0};
+  Setup<D> setup{scene,
+                 {},
+                 nullptr,
+                 capabilities(scene).particles ? particle_count(scene) : 0,
+                 with_boundary_fault(scene, mutation.name).sources};
   choose_ranges(setup.scene);
   for (const Observe& observe : setup.scene.observe) setup.observers.push_back(spec_of(setup.scene, observe));
   setup.method = make_builder<D>({setup.scene, needs_of(setup.observers), mutation.name});

@@ -14,7 +14,8 @@ struct Setup {
   Scene scene;  ///< with every choice that assembly made
   std::vector<ObserverSpec> observers;
   std::unique_ptr<MethodBuilder<D>> method;
-  std::uint64_t particles;  ///< at time zero
+  std::uint64_t particles;      ///< at time zero
+  std::vector<Source> sources;  ///< of the scene, with a fault if one is planted into them
 };
 
 /// Throws InputError for a combination that the method cannot do.

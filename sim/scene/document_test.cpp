@@ -59,6 +59,7 @@ TEST(Reference, NamesEveryKeyPresetAndObserver) {
   scene.species.emplace_back() = {"a", 3, 0.1, 0.1, 1, 1, 1, 0, 1.0, 1.0};
   scene.method.options = DsmcOptions{{}, {}, Offset::random, {}, 0.5, {1, 1, 1}, 1.0};
   scene.gravity = {0, 0, 1};
+  scene.sources = {{1, 1, 1, {1, 1}, {1, 1}, {0, 0, 1}}};
   scene.initial.velocity = {0, 0, 0};
   scene.initial.shear_wave = ShearWave{};
   scene.output.trajectory = scene.output.checkpoint = Cadence{};
@@ -72,6 +73,7 @@ TEST(Reference, NamesEveryKeyPresetAndObserver) {
     collect_keys(parse_document(write_scene(scene), ""), words);
   }
   for (const std::string& name : names_of(surface_kind_words())) words.insert('"' + name + '"');
+  for (const std::string& name : names_of(side_words())) words.insert('"' + name + '"');
   for (const std::string& name : names_of(guard_words())) words.insert('"' + name + '"');
   for (const std::string& name : names_of(positions_words())) words.insert('"' + name + '"');
   for (const std::string& name : preset_names()) words.insert(name);

@@ -23,6 +23,10 @@ y = ["specular", "specular"]
 name = "bead"
 area-fraction = 0.2
 restitution = 0.9
+[[source]]
+rate = 0.5
+height = 2.0
+centre = [5.0]
 [method]
 preset = "cuba"
 random-offset = 0.25

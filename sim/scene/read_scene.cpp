@@ -58,6 +58,7 @@ Scene read_tables(Table& root, Diagnostics& diagnostics) {
   read_section(root, "forces", read_forces, scene.gravity);
   for (Table& table : root.tables("wall")) read_wall(table, scene.walls.emplace_back());
   for (Table& table : root.tables("obstacle")) read_obstacle(table, scene.obstacles.emplace_back());
+  for (Table& table : root.tables("source")) read_source(table, scene.sources.emplace_back());
   read_particles(root, given, dimension, scene);
   for (Table& table : root.tables("observe")) read_observe(table, scene.observe.emplace_back());
   read_section(root, "output", read_output, scene.output);

@@ -21,6 +21,7 @@ void read_method(Table& table, Method& method);
 void read_forces(Table& table, std::vector<double>& gravity);
 void read_wall(Table& table, Wall& wall);
 void read_obstacle(Table& table, Obstacle& obstacle);
+void read_source(Table& table, Source& source);
 /// True when positions = "given".
 bool read_initial(Table& table, Initial& initial);
 /// `species`: what the particle may name; nullptr when that is not known.

@@ -27,6 +27,7 @@ const std::vector<Rule>& all_rules() {
       {{"species", "wall", "obstacle"}, check_spins},
       {{"domain", "species", "method", "particle"}, check_packing},
       {{"domain.dimension", "forces"}, check_gravity},
+      {{"domain", "source"}, check_sources},
       {{"domain.dimension"}, check_initial},
       {{"domain", "species", "method", "initial.positions"}, check_overlap},
       {{"domain.dimension", "domain.size"}, check_observers},

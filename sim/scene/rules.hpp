@@ -25,6 +25,7 @@ void check_overlap(const Scene& scene, Diagnostics& diagnostics);
 void check_observers(const Scene& scene, Diagnostics& diagnostics);
 void check_walls(const Scene& scene, Diagnostics& diagnostics);
 void check_obstacles(const Scene& scene, Diagnostics& diagnostics);
+void check_sources(const Scene& scene, Diagnostics& diagnostics);
 void check_given(const Scene& scene, Diagnostics& diagnostics);
 void check_spins(const Scene& scene, Diagnostics& diagnostics);
 /// Of the family itself, on its keys and what they need.

@@ -36,6 +36,12 @@ double volume(const Domain& domain) {
   return std::accumulate(domain.size.begin(), domain.size.end(), 1.0, std::multiplies<>());
 }
 
+bool has_open_side(const Domain& domain) {
+  return std::any_of(domain.sides.begin(), domain.sides.end(), [](const std::array<Side, 2>& sides) {
+    return sides[0] == Side::open || sides[1] == Side::open;
+  });
+}
+
 double particle_volume(const Species& species, int dimension) {
   SANDGLASS_EXPECT(dimension == 2 || dimension == 3);
   const double d = species.diameter;
@@ -87,6 +93,49 @@ double fraction(const Scene& scene) {
   double total = 0;
   for (const Species& species : scene.species) total += fraction(scene, species);
   return total;
+}
+
+namespace {
+/// Until the end; infinite where the scene does not say when that is.
+double duration_of(const Scene& scene) {
+  if (scene.run.duration.time) return *scene.run.duration.time;
+  if (scene.run.duration.steps && scene.method.time_step.fixed)
+    return static_cast<double>(*scene.run.duration.steps) * *scene.method.time_step.fixed;
+  return std::numeric_limits<double>::infinity();
+}
+}  // namespace
+
+std::uint64_t poured_count(const Scene& scene) {
+  double total = 0;
+  for (const Source& source : scene.sources) {
+    const double in_time = std::floor(source.rate * duration_of(scene));
+    const double poured = source.count ? std::min(in_time, static_cast<double>(*source.count)) : in_time;
+    if (std::isfinite(poured)) total += poured;
+  }
+  constexpr double largest = 9.2e18;
+  return static_cast<std::uint64_t>(std::min(total, largest));
+}
+
+std::optional<std::size_t> gravity_axis(const Scene& scene) {
+  std::optional<std::size_t> found;
+  for (std::size_t axis = 0; axis < scene.gravity.size(); ++axis) {
+    if (scene.gravity[axis] == 0) continue;
+    if (found) return std::nullopt;
+    found = axis;
+  }
+  return found;
+}
+
+double pouring_speed(const Scene& scene, const Source& source) {
+  const std::optional<std::size_t> axis = gravity_axis(scene);
+  if (!axis || *axis >= source.velocity.size()) return 0;
+  return scene.gravity[*axis] < 0 ? -source.velocity[*axis] : source.velocity[*axis];
+}
+
+double falling_speed(const Scene& scene, const Source& source) {
+  const std::optional<std::size_t> axis = gravity_axis(scene);
+  const double pull = axis ? std::fabs(scene.gravity[*axis]) : 0;
+  return std::max(pouring_speed(scene, source), std::sqrt(2 * pull * largest_diameter(scene)));
 }
 
 }  // namespace sandglass

@@ -5,10 +5,12 @@
 #include "sim/scene/method/method.hpp"
 #include "sim/scene/observe/observe.hpp"
 #include "sim/scene/run/run.hpp"
+#include "sim/scene/source/source.hpp"
 #include "sim/scene/species/species.hpp"
 #include "sim/scene/surface/surface.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,7 @@ struct Scene {
   std::vector<double> gravity;  ///< acceleration; empty: none
   std::vector<Wall> walls;      ///< sides not listed are plain specular or periodic
   std::vector<Obstacle> obstacles;
+  std::vector<Source> sources;
   Initial initial;
   std::vector<GivenParticle> given;  ///< positions = "given": all particles; else empty
   std::vector<Observe> observe;
@@ -51,6 +54,16 @@ double fraction(const Scene& scene, const Species& species);
 /// The same of all species together.
 std::uint64_t particle_count(const Scene& scene);
 double fraction(const Scene& scene);
+/// Simulated particles that the sources bring in until the end, as far as the scene says it: with neither a `count` nor an
+/// end in time, none.
+std::uint64_t poured_count(const Scene& scene);
+/// The axis of gravity; none without gravity or with more than one component.
+std::optional<std::size_t> gravity_axis(const Scene& scene);
+/// Of what a source pours, along gravity; 0 unless that has one axis.
+double pouring_speed(const Scene& scene, const Source& source);
+/// Speed along gravity above which a particle is still falling and not part of the pile under the source: that of a fall
+/// through one diameter, or of the source where that is faster.
+double falling_speed(const Scene& scene, const Source& source);
 
 /// Parses and validates. Throws InputError with every error of the text, each with file, line and column, the
 /// allowed values and the nearest spelling.

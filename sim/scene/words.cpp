@@ -8,7 +8,8 @@ const Words<int>& axis_words() {
 }
 
 const Words<Side>& side_words() {
-  static const Words<Side> words = {{"periodic", Side::periodic}, {"specular", Side::specular}};
+  static const Words<Side> words = {
+      {"periodic", Side::periodic}, {"specular", Side::specular}, {"open", Side::open}};
   return words;
 }
 

@@ -93,6 +93,7 @@ std::string write_scene(const Scene& scene) {
   for (const Species& species : scene.species) write_species(lines, species, scene.domain.dimension);
   for (const Wall& wall : scene.walls) write_wall(lines, wall);
   for (const Obstacle& obstacle : scene.obstacles) write_obstacle(lines, obstacle);
+  for (const Source& source : scene.sources) write_source(lines, source);
   write_method(lines, scene);
   if (!scene.gravity.empty()) {
     lines.header("[forces]");

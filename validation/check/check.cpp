@@ -113,7 +113,7 @@ Evidence run_check(const CheckInfo& check, const Record& record, const Settings&
 bool is_uniform(const Scene& scene) {
   const auto& sides = scene.domain.sides;
   const auto& gravity = scene.gravity;
-  return scene.species.size() == 1 && scene.obstacles.empty() && !is_rough(scene) &&
+  return scene.species.size() == 1 && scene.obstacles.empty() && scene.sources.empty() && !is_rough(scene) &&
          std::all_of(sides.begin(), sides.end(), is_periodic) &&
          std::all_of(gravity.begin(), gravity.end(), [](double component) { return component == 0; });
 }

@@ -41,7 +41,8 @@ double collisions_along(const Scene& scene, double length) {
 
 bool is_plain_gas(const Scene& scene) {
   return capabilities(scene).particles && scene.species.size() == 1 && !is_rough(scene) &&
-         scene.species.front().restitution == 1 && scene.given.empty() && !scene.initial.shear_wave;
+         scene.species.front().restitution == 1 && scene.given.empty() && !scene.initial.shear_wave &&
+         scene.sources.empty() && !has_open_side(scene.domain);
 }
 
 bool is_weightless(const Scene& scene) {

@@ -21,7 +21,7 @@ Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::M
 template <int D>
 void Dsmc<D>::assign(const Particles<D>& particles) {
   CellSimulator<D>::assign(particles);
-  make_factor(static_cast<double>(particles.phases.size()));
+  make_factor(static_cast<double>(particles.phases.size()) + parameters_.poured);
 }
 
 template <int D>
@@ -69,7 +69,9 @@ void Dsmc<D>::collide_and_move(const motion::MotionStep& motion, const Collision
 
 template <int D>
 std::map<std::string, double> Dsmc<D>::counters() const {
-  return {{"bound-raised", static_cast<double>(bound_raised_)}};
+  std::map<std::string, double> counters = CellSimulator<D>::counters();
+  counters["bound-raised"] = static_cast<double>(bound_raised_);
+  return counters;
 }
 
 template <int D>

@@ -129,7 +129,8 @@ std::unique_ptr<MethodBuilder<D>> make_builder(const BuildRequest& request) {
 }  // namespace
 
 const FamilyBuilder& family() {
-  static const FamilyBuilder all{"dsmc", names_of_faults(planted_faults(), boundary_faults()),
+  static const FamilyBuilder all{"dsmc",
+                                 names_of_faults(planted_faults(), boundary_faults(), exchange_faults()),
                                  make_builder<2>, make_builder<3>};
   return all;
 }

@@ -44,6 +44,7 @@ Parameters parameters_of(const Scene& scene) {
   parameters.cross_section = cross_section(D, species.diameter);
   parameters.weight = scene.method.weight;
   parameters.offset = offset_of(scene);
+  parameters.poured = static_cast<double>(poured_count(scene));
   if (options.pair_count == sandglass::PairCount::expected) parameters.pair_count = PairCount::expected;
   if (options.contact_factor == ContactFactor::local)
     parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed};

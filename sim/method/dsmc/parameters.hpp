@@ -50,6 +50,8 @@ struct Parameters {
   PairCount pair_count = PairCount::counted;
   Offset offset;
   bool measure_transfer = false;
+  double poured =
+      0;  ///< particles that sources bring in: the window of the local density is chosen for them too
   Faults faults;
 };
 

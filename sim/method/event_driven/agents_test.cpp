@@ -140,6 +140,35 @@ TEST(Agents, APlaneUnderGravityCountsBothWays) {
   }
 }
 
+/// An endless fall round the box, first up and then down: passages on the way to the summit, and from it.
+TEST(Agents, APlaneCountsAnEndlessFall) {
+  for (const double position : {3.21, 4.0, 0.0}) {
+    SCOPED_TRACE(position);
+    std::vector<Plane> planes{Plane(1, position, {-200, 0, 200})};
+    TestGas<2> gas({12, 12});
+    gas.parameters.gravity = {0, -1};
+    Plane* plane = planes.data();
+    gas.agents.push_back([plane] { return std::make_unique<PlaneAgent<2>>(plane, Vector<2>(0, -1)); });
+    const auto turns = [position](double y) { return std::floor((y - position) / 12); };
+    double up = 0, down = 0;
+    const double duration = 40.3;
+    for (int i = 0; i < 5; ++i) {
+      const double y = 1.3 + 2 * i, speed = 7.1 * (i - 1);
+      gas.add({1 + 2 * i, y}, {0, speed});
+      const double summit = y + std::max(0.0, speed) * speed / 2;
+      up += turns(summit) - turns(y);
+      down += turns(summit) - turns(y + speed * duration - duration * duration / 2);
+    }
+    const auto engine = gas.make();
+    for (int i = 0; i < 50; ++i) engine->step(duration / 50, 0);
+    EXPECT_EQ(plane->up(), up);
+    EXPECT_EQ(plane->down(), down);
+    EXPECT_EQ(engine->tally().collisions, 0u);
+    EXPECT_GT(up, 10);
+    EXPECT_GT(down, 100);
+  }
+}
+
 TEST(Agents, ATimerFiresAtItsTimesAndTurnsParticles) {
   std::vector<double> times;
   const auto action = [&times](ParticleAccess<2>& particles, double now) {

@@ -5,7 +5,8 @@
 
 namespace sandglass {
 
-enum class Side { periodic, specular };
+/// open: particles leave by it for good.
+enum class Side { periodic, specular, open };
 
 struct Domain {
   int dimension = 2;
@@ -15,5 +16,6 @@ struct Domain {
 };
 
 double volume(const Domain& domain);
+bool has_open_side(const Domain& domain);
 
 }  // namespace sandglass

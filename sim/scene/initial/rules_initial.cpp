@@ -22,9 +22,17 @@ void check_shear_wave(const Scene& scene, Diagnostics& diagnostics) {
 void check_barometric(const Scene& scene, Diagnostics& diagnostics) {
   if (scene.initial.positions != Positions::barometric || !diagnostics.clean("forces")) return;
   const auto acts = [](double component) { return component != 0; };
+  const auto down = std::find_if(scene.gravity.begin(), scene.gravity.end(), acts);
   if (std::count_if(scene.gravity.begin(), scene.gravity.end(), acts) != 1)
-    diagnostics.report("initial.positions",
-                       "positions = \"barometric\" needs gravity along one axis: [forces] gravity = [0, -1]");
+    return diagnostics.report(
+        "initial.positions",
+        "positions = \"barometric\" needs gravity along one axis: [forces] gravity = [0, -1]");
+  const auto axis = static_cast<std::size_t>(down - scene.gravity.begin());
+  if (!diagnostics.clean("domain.sides") || axis >= scene.domain.sides.size()) return;
+  if (scene.domain.sides[axis] != std::array{Side::specular, Side::specular})
+    diagnostics.report(
+        "initial.positions",
+        "positions = \"barometric\" needs walls at both ends of the axis of gravity; use \"random\"");
 }
 
 /// Lattices know no obstacles, unless particles have a surface to keep off them.

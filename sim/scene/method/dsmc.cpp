@@ -95,6 +95,11 @@ void check(const Scene& scene, Diagnostics& diagnostics) {
   if (dsmc.offset == Offset::corrected) check_corrected_offset(scene, diagnostics);
   if (dsmc.cell_size) check_bounds(diagnostics, "method.cell-size", *dsmc.cell_size, positive());
   check_cells(dsmc, scene.domain, diagnostics);
+  if (!scene.sources.empty() && dsmc.cells.empty() && !dsmc.cell_size)
+    diagnostics.report(
+        "method",
+        "with a [[source]] the number of particles changes, and the cells cannot follow from that at "
+        "the start: give 'method.cells' or 'method.cell-size'");
 }
 
 Preset preset(const char* name, const char* summary, ContactFactor factor, Offset offset,

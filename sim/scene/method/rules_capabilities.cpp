@@ -57,6 +57,13 @@ void check_boundaries(const Scene& scene, Refusals& refusals) {
   for (const auto& sides : scene.domain.sides) walled |= sides[0] != Side::periodic;
   const auto can_wall = [](const Capabilities& can) { return can.walls; };
   refusals.unable(walled, "domain.sides", can_wall);
+  const auto can_vary = [](const Capabilities& can) { return can.varying_number; };
+  for (std::size_t axis = 0; can_wall(refusals.can) && axis < scene.domain.sides.size(); ++axis) {
+    const auto& sides = scene.domain.sides[axis];
+    refusals.unable(sides[0] == Side::open || sides[1] == Side::open,
+                    "domain.sides." + axis_words()[axis].first, can_vary, "use \"specular\" or \"periodic\"",
+                    "a side that lets particles out");
+  }
   const auto can_rule = [](const Capabilities& can) { return !can.wall_rules.empty(); };
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     if (can_rule(refusals.can)) check_surface(scene.walls[i].surface, item_path("wall", i), refusals);
@@ -67,6 +74,7 @@ void check_boundaries(const Scene& scene, Refusals& refusals) {
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
     if (can_obstacle(refusals.can))
       check_surface(scene.obstacles[i].surface, item_path("obstacle", i), refusals);
+  refusals.unable(!scene.sources.empty(), "source", can_vary);
   refusals.unable(!scene.gravity.empty(), "forces.gravity",
                   [](const Capabilities& can) { return can.gravity; });
 }

@@ -61,7 +61,8 @@ void check_count(const Scene& scene, Diagnostics& diagnostics) {
   const std::uint64_t total = particle_count(scene);
   const bool alone = may_be_alone(scene);
   if (scene.species.size() == 1 || !scene.given.empty()) {
-    if (total < 2 && !(alone && total == 1))
+    const bool poured = total == 0 && !scene.sources.empty();
+    if (total < 2 && !(alone && total == 1) && !poured)
       diagnostics.report(path, gives(path, total) + (alone ? "; at least 1 is needed"
                                                            : "; at least 2 are needed, since fewer cannot "
                                                              "collide"));

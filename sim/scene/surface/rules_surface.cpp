@@ -35,6 +35,10 @@ bool check_side(const Scene& scene, std::size_t index, const std::string& path, 
         side, fmt::format("{} is '{}', but {} is periodic; put walls there: [domain.sides] {} = "
                           "\"specular\"",
                           shown(side), side_of(wall), axis_words()[axis].first, axis_words()[axis].first));
+  if (scene.domain.sides[axis][wall.high] == Side::open)
+    diagnostics.report(side, fmt::format("{} is '{}', which is open; remove this table, or put a wall there: "
+                                         "[domain.sides] {} = \"specular\"",
+                                         shown(side), side_of(wall), axis_words()[axis].first));
   for (std::size_t i = 0; i < index; ++i)
     if (scene.walls[i].axis == wall.axis && scene.walls[i].high == wall.high)
       diagnostics.report(path, fmt::format("two tables [[wall]] speak of '{}'; keep one", side_of(wall)));
