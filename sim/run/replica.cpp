@@ -30,7 +30,8 @@ ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const S
       streams_(streams),
       planes_(make_planes(setup.observers)),
       trace_(make_trace<D>(setup.scene, streams, state)),
-      simulator_(setup.method->build(streams, {&planes_, trace_.get()})),
+      impulses_(needs_of(setup.observers).walls ? std::make_unique<WallImpulses<D>>() : nullptr),
+      simulator_(setup.method->build(streams, {&planes_, trace_.get(), impulses_.get()})),
       stepper_(setup) {
   std::size_t plane = 0;
   for (std::size_t i = 0; i < setup.observers.size(); ++i) {
@@ -93,6 +94,7 @@ View<D> ReplicaRun<D>::view() {
   View<D> view = simulator_->view();
   view.step = clock_.step;
   view.time = clock_.time;
+  view.walls = impulses_.get();
   return view;
 }
 
@@ -127,6 +129,7 @@ State ReplicaRun<D>::save() {
   state.memory["time-step"] = stepper_.save();
   state.memory["collisions"] = collisions_.save();
   if (trace_) state.memory["event-trace"] = {static_cast<double>(trace_->flush())};
+  if (impulses_) state.memory["wall-impulses"] = impulses_->save();
   for (std::size_t i = 0; i < planes_.size(); ++i)
     state.memory[fmt::format("plane-{}", i)] = planes_[i].save();
   for (std::size_t i = 0; i < watches_.size(); ++i) {
@@ -145,6 +148,7 @@ void ReplicaRun<D>::load(const State& state) {
   collisions_.load(state.memory.at("collisions"));
   clock_ = {state.step, state.time,
             collisions_.per_particle(simulator_->tally().collisions, simulator_->size())};
+  if (impulses_) impulses_->load(state.memory.at("wall-impulses"));
   for (std::size_t i = 0; i < planes_.size(); ++i)
     planes_[i].load(state.memory.at(fmt::format("plane-{}", i)));
   for (std::size_t i = 0; i < watches_.size(); ++i) {
