@@ -18,6 +18,7 @@ template <int D>
 struct Attachments {
   std::vector<Plane>* planes = nullptr;  ///< that count who passes; null: none
   EventSink<D>* trace = nullptr;         ///< takes every event; null: none is kept
+  WallImpulses<D>* impulses = nullptr;   ///< takes what the walls take; null: it is not counted
 };
 
 /// A scene made ready for its family of methods: everything optional is decided when it is made, once.

@@ -9,6 +9,13 @@ namespace sandglass::motion {
 /// step. A ball that comes to rest on a floor bounces infinitely often in a finite time.
 constexpr int kMostHits = 200;
 
+/// What counts the passages and hits of a flight; null for none.
+template <int D>
+struct FlightCounters {
+  std::vector<Plane>* planes = nullptr;
+  WallImpulses<D>* impulses = nullptr;
+};
+
 /// The exact flight of one particle through one step, from surface to surface.
 template <int D>
 class BoundedFlight {
@@ -18,8 +25,8 @@ class BoundedFlight {
       : surfaces_(surfaces), gravity_(surfaces.parameters.gravity), box_(box), step_(step) {}
 
   /// What starts behind a wall or in an obstacle is first put on the nearest point of the surface. Who leaves by an open
-  /// side is left outside the box. `planes`: those that count; null for none.
-  void fly(Phase<D>& particle, Random& random, std::vector<Plane>* planes) const;
+  /// side is left outside the box.
+  void fly(Phase<D>& particle, Random& random, const FlightCounters<D>& counters) const;
 
  private:
   /// What ends a straight or falling piece of the path.
@@ -38,7 +45,10 @@ class BoundedFlight {
 
   void move(Phase<D>& particle, const Event& event, double time, std::vector<Plane>* planes) const;
   void place_on(const Event& event, double time, Vector<D>& x) const;
-  void turn_at(const Event& event, double time, Phase<D>& particle, Random& random) const;
+  void turn_at(const Event& event, double time, Phase<D>& particle, Random& random,
+               WallImpulses<D>* impulses) const;
+  /// The wall carries what stays on it.
+  void rest_on(std::size_t wall, double time, double left, WallImpulses<D>& impulses) const;
   /// Out of obstacles and in front of walls.
   void put_inside(double time, Vector<D>& x) const;
   bool push_out_of_one(Vector<D>& x) const;

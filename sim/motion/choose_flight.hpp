@@ -6,11 +6,11 @@
 
 namespace sandglass::motion {
 
-/// Calls function.template operator()<Flight, Crossings>(surroundings) for what the parameters ask for. Included by the
+/// Calls function.template operator()<Flight, Counts>(surroundings) for what the parameters ask for. Included by the
 /// files that compile a kernel for each choice.
 template <class Flight, class Surroundings, class Function>
-auto with_planes(const Surroundings& surroundings, const std::vector<Plane>* planes, Function function) {
-  if (planes != nullptr && !planes->empty()) return function.template operator()<Flight, true>(surroundings);
+auto with_counts(const Surroundings& surroundings, bool counts, Function function) {
+  if (counts) return function.template operator()<Flight, true>(surroundings);
   return function.template operator()<Flight, false>(surroundings);
 }
 
@@ -18,16 +18,16 @@ template <int D, bool Gravity, class Function>
 auto with_plain_walls(const MotionParameters<D>& parameters, Function function) {
   for (bool walled : parameters.walled)
     if (walled)
-      return with_planes<PlainFlight<D, Gravity, Walls::specular>>(parameters, parameters.planes, function);
-  return with_planes<PlainFlight<D, Gravity, Walls::none>>(parameters, parameters.planes, function);
+      return with_counts<PlainFlight<D, Gravity, Walls::specular>>(parameters, parameters.counts(), function);
+  return with_counts<PlainFlight<D, Gravity, Walls::none>>(parameters, parameters.counts(), function);
 }
 
 template <int D, class Function>
 auto choose_flight(const MotionParameters<D>& parameters, const Vector<D>& box, Function function) {
   if (parameters.has_open_side())
-    return with_planes<SurfaceFlight<D, true>>(Surfaces<D>(parameters, box), parameters.planes, function);
+    return with_counts<SurfaceFlight<D, true>>(Surfaces<D>(parameters, box), parameters.counts(), function);
   if (!are_plain(parameters, box))
-    return with_planes<SurfaceFlight<D>>(Surfaces<D>(parameters, box), parameters.planes, function);
+    return with_counts<SurfaceFlight<D>>(Surfaces<D>(parameters, box), parameters.counts(), function);
   return parameters.gravity.isZero(0) ? with_plain_walls<D, false>(parameters, function)
                                       : with_plain_walls<D, true>(parameters, function);
 }
@@ -35,17 +35,17 @@ auto choose_flight(const MotionParameters<D>& parameters, const Vector<D>& box, 
 template <int D>
 std::unique_ptr<MotionStage<D>> make_motion_stage(const MotionParameters<D>& parameters,
                                                   const Vector<D>& box) {
-  return choose_flight(parameters, box, []<class Flight, bool Crossings>(const auto& surroundings) {
-    return std::unique_ptr<MotionStage<D>>(std::make_unique<MotionKernel<Flight, Crossings>>(surroundings));
+  return choose_flight(parameters, box, []<class Flight, bool Counts>(const auto& surroundings) {
+    return std::unique_ptr<MotionStage<D>>(std::make_unique<MotionKernel<Flight, Counts>>(surroundings));
   });
 }
 
 template <int D>
 std::unique_ptr<RefusableStage<D>> make_refusable_stage(const MotionParameters<D>& parameters,
                                                         const Vector<D>& box) {
-  return choose_flight(parameters, box, []<class Flight, bool Crossings>(const auto& surroundings) {
+  return choose_flight(parameters, box, []<class Flight, bool Counts>(const auto& surroundings) {
     return std::unique_ptr<RefusableStage<D>>(
-        std::make_unique<RefusableKernel<Flight, Crossings>>(surroundings));
+        std::make_unique<RefusableKernel<Flight, Counts>>(surroundings));
   });
 }
 

@@ -6,7 +6,7 @@ namespace sandglass::motion {
 
 /// The loop over particles, for a `Flight` that carries one of them through the step and a `Flight::Locator` that finds the
 /// cell where it arrives.
-template <class Flight, bool Crossings, int D = Flight::kDimension>
+template <class Flight, bool Counts, int D = Flight::kDimension>
 class MotionKernel final : public MotionStage<D> {
  public:
   explicit MotionKernel(typename Flight::Surroundings surroundings)
@@ -20,7 +20,7 @@ class MotionKernel final : public MotionStage<D> {
     auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();
     for (std::size_t i = first; i < last; ++i) {
-      const auto position = flight.template fly<Crossings>(particles[i], i);
+      const auto position = flight.template fly<Counts>(particles[i], i);
       const std::uint32_t cell = locator.cell_of(position);
       places[i] = {cell, arrivals[cell]++};
     }
@@ -30,7 +30,7 @@ class MotionKernel final : public MotionStage<D> {
   typename Flight::Surroundings surroundings_;
 };
 
-template <class Flight, bool Crossings, int D = Flight::kDimension>
+template <class Flight, bool Counts, int D = Flight::kDimension>
 class RefusableKernel final : public RefusableStage<D> {
  public:
   explicit RefusableKernel(typename Flight::Surroundings surroundings)
@@ -54,7 +54,7 @@ class RefusableKernel final : public RefusableStage<D> {
     const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
     Phase<D>* particles = store.phases().data();
     for (std::size_t i = first; i < last; ++i)
-      if (!refused[i]) flight.template fly<Crossings>(particles[i], i);
+      if (!refused[i]) flight.template fly<Counts>(particles[i], i);
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include "sim/base/random.hpp"
 #include "sim/observe/plane.hpp"
+#include "sim/observe/wall_impulses.hpp"
 #include "sim/physics/wall.hpp"
 
 #include <array>
@@ -45,12 +46,14 @@ struct MotionParameters {
   std::vector<WallPlace<D>> walls = {};  ///< a walled side not named here is smooth, elastic and at rest
   std::vector<ObstaclePlace<D>> obstacles = {};
   std::vector<Plane>* planes = nullptr;
+  WallImpulses<D>* impulses = nullptr;  ///< null: what walls take is not counted
 
   bool has_open_side() const {
     for (const auto& [low, high] : open)
       if (low || high) return true;
     return false;
   }
+  bool counts() const { return (planes != nullptr && !planes->empty()) || impulses != nullptr; }
   bool walls_move() const {
     for (const WallPlace<D>& wall : walls)
       if (wall.moves()) return true;

@@ -34,10 +34,11 @@ class PlainFlight {
       : parameters_(parameters), box_(box), dt_(step.dt), flight_(parameters.gravity, box, step.dt) {}
 
   /// Free flight where it stays in the box, which is nearly always; else axis by axis with the boundaries. The answer is
-  /// where it ends; planes are counted if `Counts`.
+  /// where it ends; planes and walls count if `Counts`.
   template <bool Counts>
   [[gnu::always_inline]] typename Lane::Real fly(Phase<D>& particle, std::size_t) const {
-    if constexpr (Counts) count_crossings(particle);
+    if constexpr (Counts)
+      if (parameters_.planes != nullptr) count_crossings(particle);
     double* components = particle.position.data();
     const typename Lane::Real start = Lane::load(components), velocity = Lane::load(components + D);
     const typename Lane::Real position = flight_.template end<Gravity>(start, velocity);
@@ -48,7 +49,7 @@ class PlainFlight {
       if (parameters_.offsets) stays = stays && flight_.inside(start);
     }
     if (!stays) [[unlikely]]
-      return fly_bounded(parameters_, box_, dt_, particle);
+      return fly_bounded(parameters_, box_, dt_, Counts ? parameters_.impulses : nullptr, particle);
     Lane::store(components, position);
     if constexpr (Gravity) Lane::store(components + D, velocity + flight_.gain());
     return position;
@@ -58,29 +59,39 @@ class PlainFlight {
   // Static: an object that no function sees stays in registers.
   [[gnu::noinline]] static typename Lane::Real fly_bounded(const Surroundings& parameters,
                                                            const Vector<D>& box, double dt,
-                                                           Phase<D>& particle) {
-    for (int axis = 0; axis < D; ++axis) fly_along(parameters, axis, box[axis], dt, particle);
+                                                           WallImpulses<D>* impulses, Phase<D>& particle) {
+    for (int axis = 0; axis < D; ++axis) fly_along(parameters, axis, box[axis], dt, impulses, particle);
     require_finite(particle);  // what is not a number is never inside the box: it always comes by here
     return Lane::from(particle.position, 0);
   }
 
   static void fly_along(const Surroundings& parameters, int axis, double length, double dt,
-                        Phase<D>& particle) {
+                        WallImpulses<D>* impulses, Phase<D>& particle) {
     double& x = particle.position[axis];
     double& velocity = particle.velocity[axis];
     if constexpr (Sides == Walls::specular) {
       if (parameters.walled[static_cast<std::size_t>(axis)]) {
         if (parameters.offsets) x = mirror(x, length);
+        HitSpeeds hits;
+        HitSpeeds* counts = impulses != nullptr ? &hits : nullptr;
         if (Gravity && parameters.gravity[axis] != 0)
-          fall_between_walls(x, velocity, parameters.gravity[axis], dt, length);
+          fall_between_walls(x, velocity, parameters.gravity[axis], dt, length, counts);
         else
-          fly_between_walls(x, velocity, dt, length);
+          fly_between_walls(x, velocity, dt, length, counts);
+        if (counts != nullptr) give(hits, axis, parameters.mass, *impulses);
         return;
       }
     }
     x += dt * (velocity + 0.5 * dt * parameters.gravity[axis]);
     velocity += dt * parameters.gravity[axis];
     x = wrap(x, length, 1 / length);
+  }
+
+  /// A smooth elastic wall at rest takes twice the momentum that comes.
+  static void give(const HitSpeeds& hits, int axis, double mass, WallImpulses<D>& impulses) {
+    const Vector<D> still = Vector<D>::Zero(), along = 2 * mass * Vector<D>::Unit(axis);
+    if (hits.low > 0) impulses.add(WallImpulses<D>::side(axis, false), -hits.low * along, still);
+    if (hits.high > 0) impulses.add(WallImpulses<D>::side(axis, true), hits.high * along, still);
   }
 
   /// Planes are normal to periodic axes: the passages are those of the unwrapped path.

@@ -52,7 +52,8 @@ class SurfaceFlight {
     const Real tangent = free_.template end<false>(start, velocity);
     if (!(inside(start) && inside(end) && inside(tangent) && clear(start, end, tangent))) [[unlikely]]
       return fly_bounded<Counts>(particle, i);
-    if constexpr (Counts) count_crossings(start, end, velocity);
+    if constexpr (Counts)
+      if (surfaces_.parameters.planes != nullptr) count_crossings(start, end, velocity);
     Lane::store(components, end);
     Lane::store(components + D, velocity + free_.gain());
     return in_box(end);
@@ -95,7 +96,10 @@ class SurfaceFlight {
   [[gnu::noinline]] Real fly_bounded(Phase<D>& particle, std::size_t i) const {
     require_finite(particle);
     Random random = surfaces_.draws ? stream_of(i) : Random();
-    bounded_.fly(particle, random, Counts ? surfaces_.parameters.planes : nullptr);
+    if constexpr (Counts)
+      bounded_.fly(particle, random, {surfaces_.parameters.planes, surfaces_.parameters.impulses});
+    else
+      bounded_.fly(particle, random, {});
     require_finite(particle);
     if constexpr (Open)
       if (surfaces_.has_left(particle.position)) return Lane::from(particle.position, 0);

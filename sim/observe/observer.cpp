@@ -2,13 +2,18 @@
 
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
+#include "sim/observe/centre_of_mass.hpp"
 #include "sim/observe/collisions.hpp"
 #include "sim/observe/distribution.hpp"
 #include "sim/observe/energy.hpp"
 #include "sim/observe/fields.hpp"
+#include "sim/observe/free_surface.hpp"
+#include "sim/observe/kinetic_stress.hpp"
 #include "sim/observe/pair_correlation.hpp"
+#include "sim/observe/pair_velocity.hpp"
 #include "sim/observe/rotation.hpp"
 #include "sim/observe/structure_factor.hpp"
+#include "sim/observe/wall_force.hpp"
 
 #include <functional>
 #include <map>
@@ -62,6 +67,21 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
        [](Spec spec, std::size_t) { return list<D>(make_unique<PairCorrelation<D>>(spec)); }},
       {"structure-factor",
        [](Spec spec, std::size_t) { return list<D>(make_unique<StructureFactor<D>>(spec)); }},
+      {"pair-velocity",
+       [](Spec spec, std::size_t) {
+         using Component = typename PairVelocity<D>::Component;
+         return list<D>(make_unique<PairVelocity<D>>(spec, Component::parallel),
+                        make_unique<PairVelocity<D>>(spec, Component::transverse));
+       }},
+      {"wall-force",
+       [](Spec spec, std::size_t) {
+         using Kind = typename WallForce<D>::Kind;
+         return list<D>(make_unique<WallForce<D>>(spec, Kind::force),
+                        make_unique<WallForce<D>>(spec, Kind::power));
+       }},
+      {"centre-of-mass", [](Spec spec, std::size_t) { return list<D>(make_unique<CentreOfMass<D>>(spec)); }},
+      {"free-surface", [](Spec spec, std::size_t) { return list<D>(make_unique<FreeSurface<D>>(spec)); }},
+      {"kinetic-stress", [](Spec spec, std::size_t) { return list<D>(make_unique<KineticStress<D>>(spec)); }},
       {"fields", [](Spec spec, std::size_t) { return list<D>(make_unique<Fields<D>>(spec)); }},
       {"shear-mode",
        [](Spec spec, std::size_t) {
@@ -77,6 +97,7 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
 Needs needs_of(const ObserverSpec& spec) {
   return {.transfer = spec.what == "pressure",
           .plane = spec.what == "crossings",
+          .walls = spec.what == "wall-force",
           .impact_bins = spec.what == "impact-parameter" ? spec.bins : 0};
 }
 

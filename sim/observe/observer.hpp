@@ -14,6 +14,7 @@ namespace sandglass {
 struct Needs {
   bool transfer = false;        ///< Tally::transfer
   bool plane = false;           ///< a Plane
+  bool walls = false;           ///< WallImpulses
   std::size_t impact_bins = 0;  ///< size of Tally::impact; 0: not counted
 };
 
@@ -43,7 +44,8 @@ struct ObserverSpec {
   std::array<double, 2> range{-5, 5};
   std::size_t bins = 64;
   std::vector<std::size_t> grid;
-  int periods = 1;  ///< shear-mode
+  int periods = 1;           ///< shear-mode
+  std::vector<int> bounded;  ///< axes of the box that are not periodic
 };
 
 Needs needs_of(const ObserverSpec& spec);

@@ -15,6 +15,7 @@ ObserverSpec spec_of(const std::string& what) {
   ObserverSpec spec;
   spec.what = what;
   spec.grid = {2, 4};
+  spec.bounded = {0, 1};
   return spec;
 }
 
@@ -71,9 +72,10 @@ TEST(BinEdges, AreEquallyFarApart) {
 }
 
 const char* const kWords[] = {
-    "energy",           "temperature", "momentum",          "moments",          "velocity-histogram",
-    "collisions",       "pressure",    "crossings",         "fields",           "shear-mode",
-    "impact-parameter", "overlap",     "rotational-energy", "pair-correlation", "structure-factor"};
+    "energy",           "temperature",    "momentum",          "moments",          "velocity-histogram",
+    "collisions",       "pressure",       "crossings",         "fields",           "shear-mode",
+    "impact-parameter", "overlap",        "rotational-energy", "pair-correlation", "structure-factor",
+    "pair-velocity",    "centre-of-mass", "free-surface",      "kinetic-stress",   "wall-force"};
 
 template <int D>
 void expect_shape_as_declared() {
@@ -85,6 +87,7 @@ void expect_shape_as_declared() {
   for (const char* word : kWords) {
     ObserverSpec spec = spec_of(word);
     spec.grid.assign(D, 8);
+    if (std::string(word) == "free-surface") spec.grid[0] = 1;
     spec.range = {0, 2};
     spec.bins = 4;
     system.tally.impact.resize(needs_of(spec).impact_bins);
@@ -116,6 +119,7 @@ TEST(Observers, DeclareWhatTheyNeed) {
   for (const char* word : kWords) {
     EXPECT_EQ(needs_of(spec_of(word)).transfer, std::string(word) == "pressure");
     EXPECT_EQ(needs_of(spec_of(word)).plane, std::string(word) == "crossings");
+    EXPECT_EQ(needs_of(spec_of(word)).walls, std::string(word) == "wall-force");
     EXPECT_EQ(needs_of(spec_of(word)).impact_bins, std::string(word) == "impact-parameter" ? 64u : 0u);
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/observe/observer.hpp"
+#include "sim/observe/shells.hpp"
 
 namespace sandglass {
 
@@ -14,14 +14,15 @@ template <int D>
 class PairCorrelation final : public Observer<D> {
  public:
   /// Reads `range` (distances) and `bins`. Throws InputError for a range that is not one of distances.
-  explicit PairCorrelation(const ObserverSpec& spec);
+  explicit PairCorrelation(const ObserverSpec& spec) : spec_(spec), shells_(spec) {}
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
-  /// Throws InputError for fewer than 2 particles, or a range beyond half the box.
+  /// Throws InputError for fewer than 2 particles, for weights, or for a range beyond half the box.
   void start(const View<D>& view) override;
 
  private:
   ObserverSpec spec_;
+  Shells shells_;
 };
 
 }  // namespace sandglass

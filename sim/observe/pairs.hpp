@@ -35,14 +35,21 @@ class PairCells {
     }
     std::inclusive_scan(first_.begin(), first_.end(), first_.begin());
     position_.resize(particles.size());
+    particle_.resize(particles.size());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < particles.size(); ++i) position_[next[cell[i]]++] = inside[i];
+    for (std::uint32_t i = 0; i < particles.size(); ++i) {
+      const std::uint32_t place = next[cell[i]]++;
+      position_[place] = inside[i];
+      particle_[place] = i;
+    }
   }
 
   const Grid<D>& grid() const { return grid_; }
-  std::span<const Vector<D>> members(std::uint32_t cell) const {
-    return {position_.data() + first_[cell], position_.data() + first_[cell + 1]};
-  }
+  /// Places of the particles of a cell: from begin(cell) to end(cell).
+  std::uint32_t begin(std::uint32_t cell) const { return first_[cell]; }
+  std::uint32_t end(std::uint32_t cell) const { return first_[cell + 1]; }
+  const Vector<D>& position(std::uint32_t place) const { return position_[place]; }
+  std::uint32_t particle(std::uint32_t place) const { return particle_[place]; }
 
   /// Cells after `cell` around it, so that every two neighbours are paired once.
   std::vector<std::uint32_t> neighbours_after(std::uint32_t cell) const {
@@ -94,25 +101,27 @@ class PairCells {
   Grid<D> grid_;
   std::vector<std::uint32_t> first_;
   std::vector<Vector<D>> position_;
+  std::vector<std::uint32_t> particle_;
 };
 
-/// Calls `use` with the squared distance of every pair closer than `reach`, at most half the shortest edge of the periodic
-/// box. The slow twin in the tests looks at all pairs.
+/// Calls `use(separation, its square, i, j)` for every pair closer than `reach`, at most half the shortest edge of the
+/// periodic box; the separation is the vector from particle j to i. The slow twins in the tests look at all pairs.
 template <int D, class Use>
 void for_each_pair(std::span<const Phase<D>> particles, const Vector<D>& box, double reach, Use use) {
   const PairCells<D> cells(particles, box, reach);
-  const auto look_at = [&, limit = reach * reach](const Vector<D>& a, const Vector<D>& b) {
-    const double square = nearest_image<D>(a - b, box).squaredNorm();
-    if (square < limit) use(square);
+  const auto look_at = [&, limit = reach * reach](std::uint32_t a, std::uint32_t b) {
+    const Vector<D> separation = nearest_image<D>(cells.position(a) - cells.position(b), box);
+    const double square = separation.squaredNorm();
+    if (square < limit) use(separation, square, cells.particle(a), cells.particle(b));
   };
   for (std::uint32_t cell = 0; cell < cells.grid().size(); ++cell) {
-    const auto own = cells.members(cell);
-    if (own.empty()) continue;
-    for (std::size_t i = 0; i < own.size(); ++i)
-      for (std::size_t j = i + 1; j < own.size(); ++j) look_at(own[i], own[j]);
+    const std::uint32_t begin = cells.begin(cell), end = cells.end(cell);
+    if (begin == end) continue;
+    for (std::uint32_t i = begin; i < end; ++i)
+      for (std::uint32_t j = i + 1; j < end; ++j) look_at(i, j);
     for (std::uint32_t other : cells.neighbours_after(cell))
-      for (const Vector<D>& theirs : cells.members(other))
-        for (const Vector<D>& ours : own) look_at(ours, theirs);
+      for (std::uint32_t j = cells.begin(other); j < cells.end(other); ++j)
+        for (std::uint32_t i = begin; i < end; ++i) look_at(i, j);
   }
 }
 

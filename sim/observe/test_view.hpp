@@ -18,6 +18,7 @@ struct TestSystem {
   SpeciesTraits plain;
   Tally tally;
   std::vector<Plane> planes;
+  WallImpulses<D> walls;
   Vector<D> box = Vector<D>::Constant(4);
   std::vector<double> weights;
   double mass = 2, weight = 3, time = 0;  ///< the mass is that of particles without traits
@@ -40,6 +41,7 @@ struct TestSystem {
     view.time = time;
     view.tally = &tally;
     view.planes = &planes;
+    view.walls = &walls;
     return view;
   }
 };

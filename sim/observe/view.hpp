@@ -4,6 +4,7 @@
 #include "sim/base/particle_columns.hpp"
 #include "sim/observe/plane.hpp"
 #include "sim/observe/tally.hpp"
+#include "sim/observe/wall_impulses.hpp"
 #include "sim/space/phase.hpp"
 
 #include <span>
@@ -35,6 +36,7 @@ struct View {
   double time = 0;
   const Tally* tally = nullptr;
   std::vector<Plane>* planes = nullptr;
+  const WallImpulses<D>* walls = nullptr;  ///< null: not counted
 };
 
 }  // namespace sandglass

@@ -41,7 +41,7 @@ void list_features(const Setup<D>& setup, Plan& plan) {
   plan.feature("trajectory", scene.output.trajectory.has_value());
   plan.feature("checkpoints", scene.output.checkpoint.has_value());
   for (const ObserverKind& kind : observer_kinds()) {
-    if (kind.contacts_only && !capabilities(scene).contacts) continue;
+    if (kind.needs == ObserverSetting::contacts && !capabilities(scene).contacts) continue;
     bool used = false;
     for (const ObserverSpec& spec : setup.observers) used |= spec.what == kind.name;
     plan.feature(fmt::format("observer {}", kind.name), used);

@@ -31,7 +31,8 @@ ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const S
       streams_(streams),
       planes_(make_planes(setup.observers)),
       trace_(make_trace<D>(setup.scene, streams, state)),
-      simulator_(setup.method->build(streams, {&planes_, trace_.get()})),
+      impulses_(needs_of(setup.observers).walls ? std::make_unique<WallImpulses<D>>() : nullptr),
+      simulator_(setup.method->build(streams, {&planes_, trace_.get(), impulses_.get()})),
       stepper_(setup) {
   if (!setup.sources.empty()) sources_.emplace(setup, streams);
   std::size_t plane = 0;
@@ -96,6 +97,7 @@ View<D> ReplicaRun<D>::view() {
   View<D> view = simulator_->view();
   view.step = clock_.step;
   view.time = clock_.time;
+  view.walls = impulses_.get();
   return view;
 }
 
@@ -133,6 +135,7 @@ State ReplicaRun<D>::save() {
   state.memory["collisions"] = collisions_.save();
   if (sources_) state.memory["sources"] = sources_->poured();
   if (trace_) state.memory["event-trace"] = {static_cast<double>(trace_->flush())};
+  if (impulses_) state.memory["wall-impulses"] = impulses_->save();
   for (std::size_t i = 0; i < planes_.size(); ++i)
     state.memory[fmt::format("plane-{}", i)] = planes_[i].save();
   for (std::size_t i = 0; i < watches_.size(); ++i) {
@@ -152,6 +155,7 @@ void ReplicaRun<D>::load(const State& state) {
   if (sources_) sources_->load(state.memory.at("sources"));
   clock_ = {state.step, state.time,
             collisions_.per_particle(simulator_->tally().collisions, simulator_->size())};
+  if (impulses_) impulses_->load(state.memory.at("wall-impulses"));
   for (std::size_t i = 0; i < planes_.size(); ++i)
     planes_[i].load(state.memory.at(fmt::format("plane-{}", i)));
   for (std::size_t i = 0; i < watches_.size(); ++i) {

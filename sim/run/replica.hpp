@@ -53,7 +53,8 @@ class ReplicaRun {
   const Scene& scene_;
   Streams streams_;
   std::vector<Plane> planes_;
-  std::unique_ptr<EventTrace<D>> trace_;  ///< of the first replica, if asked for
+  std::unique_ptr<EventTrace<D>> trace_;       ///< of the first replica, if asked for
+  std::unique_ptr<WallImpulses<D>> impulses_;  ///< if an observer needs them
   std::unique_ptr<Simulator<D>> simulator_;
   TimeStepper<D> stepper_;
   std::optional<Sources<D>> sources_;

@@ -35,9 +35,13 @@ ObserverSpec spec_of(const Scene& scene, const Observe& observe) {
   spec.range = observe.range.value_or(spec.range);
   spec.bins = observe.bins;
   spec.grid.assign(observe.grid.begin(), observe.grid.end());
+  for (std::size_t axis = 0; axis < scene.domain.sides.size(); ++axis)
+    if (scene.domain.sides[axis][0] != Side::periodic) spec.bounded.push_back(static_cast<int>(axis));
   if (scene.initial.shear_wave) spec.periods = scene.initial.shear_wave->periods;
   return spec;
 }
+
+}  // namespace
 
 Needs needs_of(const std::vector<ObserverSpec>& observers) {
   Needs all;
@@ -45,12 +49,11 @@ Needs needs_of(const std::vector<ObserverSpec>& observers) {
     const Needs needs = needs_of(spec);
     all.transfer |= needs.transfer;
     all.plane |= needs.plane;
+    all.walls |= needs.walls;
     all.impact_bins = std::max(all.impact_bins, needs.impact_bins);
   }
   return all;
 }
-
-}  // namespace
 
 template <int D>
 Setup<D> set_up(const Scene& scene, const Mutation& mutation) {

@@ -22,6 +22,9 @@ struct Setup {
 template <int D>
 Setup<D> set_up(const Scene& scene, const Mutation& mutation);
 
+/// What all observers together need.
+Needs needs_of(const std::vector<ObserverSpec>& observers);
+
 /// One plane per observer that needs one, in order.
 std::vector<Plane> make_planes(const std::vector<ObserverSpec>& observers);
 

@@ -97,6 +97,21 @@ const std::vector<Fault> other_faults = {
      "\"structure-factor\"\ngrid = [4, 8]",
      "15:8",
      {"the observer 'structure-factor' needs a domain that is periodic"}},
+    {"pair_velocity_walls",
+     "\"energy\"",
+     "\"pair-velocity\"\nrange = [0.0, 5.0]",
+     "15:8",
+     {"the observer 'pair-velocity' needs a domain that is periodic along every axis"}},
+    {"surface_of_a_periodic_axis",
+     "\"energy\"",
+     "\"free-surface\"\ngrid = [1, 8]",
+     "14:1",
+     {"height along an axis that is not periodic", "give 'axis'"}},
+    {"surface_with_two_heights",
+     "\"energy\"",
+     "\"free-surface\"\naxis = \"y\"\ngrid = [8, 4]",
+     "17:8",
+     {"'observe.grid' has 4 bins along y", "give 1 there"}},
     {"particles",
      "[method]",
      "[[particle]]\nposition = [5, 5]\nvelocity = [0, 0]\n[method]",
@@ -116,6 +131,9 @@ TEST(OtherMethodsTogether, ObserversOfStructureNeedTheirKeys) {
   const std::string text = spoiled(good, {"", "sides.y = \"specular\"\n", "", "", {}});
   expect_fault(text, {"", "\"energy\"", "\"pair-correlation\"", "13:1", {"missing 'observe.range'"}});
   expect_fault(text, {"", "\"energy\"", "\"structure-factor\"", "13:1", {"missing 'observe.grid'"}});
+  expect_fault(text, {"", "\"energy\"", "\"pair-velocity\"", "13:1", {"missing 'observe.range'"}});
+  expect_fault(text,
+               {"", "\"energy\"", "\"centre-of-mass\"", "14:8", {"needs an axis that is not periodic"}});
 }
 
 }  // namespace

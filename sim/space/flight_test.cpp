@@ -53,7 +53,15 @@ TEST(Mirror, StaysBetweenTheWalls) {
 
 struct Motion {
   double x, velocity;
+  HitSpeeds hits = {};
+  int count = 0;  ///< of the hits, by the twin
 };
+
+/// Smooth elastic walls give back twice the momentum that comes, and a force adds its own.
+void expect_balance(const Motion& start, const Motion& end, double acceleration, double dt) {
+  const double gain = acceleration * dt + 2 * (end.hits.low - end.hits.high);
+  EXPECT_NEAR(end.velocity - start.velocity, gain, 1e-12 * (1 + end.hits.low + end.hits.high));
+}
 
 /// The slow twin: many tiny steps, exact between walls, each reflected where it passes a wall.
 Motion creep(Motion motion, double acceleration, double dt, double length, int steps) {
@@ -64,7 +72,10 @@ Motion creep(Motion motion, double acceleration, double dt, double length, int s
     const bool low = motion.x < 0 && motion.velocity<0, high = motion.x> length && motion.velocity > 0;
     if (low) motion.x = -motion.x;
     if (high) motion.x = 2 * length - motion.x;
-    if (low || high) motion.velocity = -motion.velocity;
+    if (!low && !high) continue;
+    motion.hits.add(high, std::fabs(motion.velocity));
+    motion.velocity = -motion.velocity;
+    ++motion.count;
   }
   return motion;
 }
@@ -75,8 +86,12 @@ TEST(FlyBetweenWalls, AgreesWithManyTinySteps) {
     const double length = 0.5 + random.uniform();
     Motion motion{length * random.uniform(), 20 * random.uniform() - 10};
     const Motion twin = creep(motion, 0, 1, length, 1000);
-    fly_between_walls(motion.x, motion.velocity, 1, length);
+    const Motion start = motion;
+    fly_between_walls(motion.x, motion.velocity, 1, length, &motion.hits);
     EXPECT_NEAR(motion.x, twin.x, 1e-11);
+    EXPECT_NEAR(motion.hits.low, twin.hits.low, 1e-12 * twin.hits.low);
+    EXPECT_NEAR(motion.hits.high, twin.hits.high, 1e-12 * twin.hits.high);
+    expect_balance(start, motion, 0, 1);
     EXPECT_EQ(motion.velocity, twin.velocity);
   }
 }
@@ -98,12 +113,15 @@ TEST(FallBetweenWalls, AgreesWithManyTinySteps) {
     Motion motion{length * random.uniform(), 8 * random.uniform() - 4};
     const Motion twin = creep(motion, acceleration, 1, length, 100'000);
     const Motion start = motion;
-    fall_between_walls(motion.x, motion.velocity, acceleration, 1, length);
+    fall_between_walls(motion.x, motion.velocity, acceleration, 1, length, &motion.hits);
+    expect_balance(start, motion, acceleration, 1);
     EXPECT_NEAR(motion.x, twin.x, 3e-3)
         << start.x << " " << start.velocity << " " << acceleration << " " << length;
     // The twin may be a tiny step early or late at its last wall.
     if (motion.x > 1e-2 && motion.x < length - 1e-2) {
       EXPECT_NEAR(motion.velocity, twin.velocity, 1e-2);
+      EXPECT_NEAR(motion.hits.low, twin.hits.low, 1e-2 * (1 + twin.count));
+      EXPECT_NEAR(motion.hits.high, twin.hits.high, 1e-2 * (1 + twin.count));
     }
   }
 }

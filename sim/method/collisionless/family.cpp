@@ -37,6 +37,7 @@ class Builder final : public MethodBuilder<D> {
                                       const Attachments<D>& attachments) const override {
     motion::MotionParameters<D> motion = motion_;
     motion.planes = attachments.planes;
+    motion.impulses = attachments.impulses;
     return make(motion, streams, faults_);
   }
   std::unique_ptr<Simulator<D>> build_elastic(const Streams& streams) const override {

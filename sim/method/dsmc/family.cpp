@@ -41,6 +41,7 @@ class Builder final : public MethodBuilder<D> {
                                       const Attachments<D>& attachments) const override {
     motion::MotionParameters<D> motion = motion_;
     motion.planes = attachments.planes;
+    motion.impulses = attachments.impulses;
     std::vector<ColumnInfo> columns;
     if (scene_.output.ids) columns.push_back(column::id);
     return std::make_unique<Dsmc<D>>(grid_, parameters_, motion, streams, Purpose::collisions, columns);

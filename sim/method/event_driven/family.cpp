@@ -39,8 +39,9 @@ class Builder final : public MethodBuilder<D> {
                                       const Attachments<D>& attachments) const override {
     Parameters<D> parameters = parameters_;
     parameters.planes = attachments.planes;
-    return make_event_driven<D>(parameters, agents_of(told_, parameters_, attachments.planes), streams,
-                                attachments.trace);
+    return make_event_driven<D>(parameters,
+                                agents_of(told_, parameters_, attachments.planes, attachments.impulses),
+                                streams, attachments.trace);
   }
 
   /// No loss, spin or gravity, and no fault planted into what particles do.
@@ -54,7 +55,8 @@ class Builder final : public MethodBuilder<D> {
     elastic.impact_bins = 0;
     elastic.keep_ids = true;
     elastic.faults = {};
-    return make_event_driven<D>(elastic, agents_of<D>(elastic_scene(scene_), elastic, nullptr), streams);
+    return make_event_driven<D>(elastic, agents_of<D>(elastic_scene(scene_), elastic, nullptr, nullptr),
+                                streams);
   }
 
   /// A tenth of a mean free time.
@@ -80,7 +82,7 @@ class Builder final : public MethodBuilder<D> {
  private:
   /// Also unasked: a wall or an obstacle that draws names its streams by particle.
   bool keeps_ids() const {
-    const Agents<D> agents = agents_of(scene_, parameters_, nullptr);
+    const Agents<D> agents = agents_of<D>(scene_, parameters_, nullptr, nullptr);
     return parameters_.keep_ids ||
            std::ranges::any_of(agents, [](const auto& agent) { return agent->draws(); });
   }

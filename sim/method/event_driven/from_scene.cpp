@@ -10,7 +10,8 @@ namespace sandglass::event_driven {
 namespace {
 
 template <int D>
-std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const Parameters<D>& parameters) {
+std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const Parameters<D>& parameters,
+                                    WallImpulses<D>* impulses) {
   const double edge = wall.high ? scene.domain.size[static_cast<std::size_t>(wall.axis)] : 0;
   const WallPlace<D> place{wall.axis,
                            wall.high,
@@ -19,7 +20,8 @@ std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const 
                            wall.amplitude,
                            wall.frequency,
                            parameters.largest_diameter() / 2};
-  return std::make_unique<WallAgent<D>>(place, wall_rule_of(scene, wall.surface), parameters.gravity);
+  return std::make_unique<WallAgent<D>>(place, wall_rule_of(scene, wall.surface), parameters.gravity,
+                                        impulses);
 }
 
 }  // namespace
@@ -47,12 +49,13 @@ Parameters<D> parameters_of(const Scene& scene) {
 }
 
 template <int D>
-Agents<D> agents_of(const Scene& scene, const Parameters<D>& parameters, std::vector<Plane>* planes) {
+Agents<D> agents_of(const Scene& scene, const Parameters<D>& parameters, std::vector<Plane>* planes,
+                    WallImpulses<D>* impulses) {
   Agents<D> agents;
   for (int axis = 0; axis < D; ++axis)
     if (!parameters.geometry.periodic[static_cast<std::size_t>(axis)])
       for (const bool high : {false, true})
-        agents.push_back(make_wall<D>(scene, wall_of(scene, axis, high), parameters));
+        agents.push_back(make_wall<D>(scene, wall_of(scene, axis, high), parameters, impulses));
   for (const Obstacle& obstacle : scene.obstacles)
     agents.push_back(std::make_unique<ObstacleAgent<D>>(
         vector_of<D>(obstacle.centre), obstacle.radius, wall_rule_of(scene, obstacle.surface),
@@ -65,7 +68,7 @@ Agents<D> agents_of(const Scene& scene, const Parameters<D>& parameters, std::ve
 
 template Parameters<2> parameters_of(const Scene&);
 template Parameters<3> parameters_of(const Scene&);
-template Agents<2> agents_of(const Scene&, const Parameters<2>&, std::vector<Plane>*);
-template Agents<3> agents_of(const Scene&, const Parameters<3>&, std::vector<Plane>*);
+template Agents<2> agents_of(const Scene&, const Parameters<2>&, std::vector<Plane>*, WallImpulses<2>*);
+template Agents<3> agents_of(const Scene&, const Parameters<3>&, std::vector<Plane>*, WallImpulses<3>*);
 
 }  // namespace sandglass::event_driven

@@ -5,13 +5,15 @@
 namespace sandglass::event_driven {
 
 template <int D>
-WallAgent<D>::WallAgent(const WallPlace<D>& place, const WallRule& rule, const Vector<D>& gravity)
+WallAgent<D>::WallAgent(const WallPlace<D>& place, const WallRule& rule, const Vector<D>& gravity,
+                        WallImpulses<D>* impulses)
     : place_(place),
       rule_(rule),
       inward_(place.high ? -1 : 1),
       gravity_(inward_ * gravity[place.axis]),
       motion_{0, inward_ * place.velocity[place.axis], place.amplitude, place.frequency,
-              place.high ? M_PI : 0} {}
+              place.high ? M_PI : 0},
+      impulses_(impulses) {}
 
 template <int D>
 Box<D> WallAgent<D>::reach() const {
@@ -39,7 +41,11 @@ bool WallAgent<D>::act(ParticleState<D>& particle, double now, Random& random) {
   const Vector<D> normal = inward_ * Vector<D>::Unit(place_.axis);
   Vector<D> surface = place_.velocity;
   surface[place_.axis] = inward_ * motion_.velocity_at(now);
+  const Vector<D> before = particle.velocity;
   bounce<D>(rule_, normal, surface, particle, random);
+  if (impulses_ != nullptr)
+    impulses_->add(WallImpulses<D>::side(place_.axis, place_.high),
+                   particle.mass * (before - particle.velocity), surface);
   return true;
 }
 

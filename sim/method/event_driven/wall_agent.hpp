@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/event_driven/agent.hpp"
+#include "sim/observe/wall_impulses.hpp"
 #include "sim/physics/plane_flight.hpp"
 #include "sim/physics/wall.hpp"
 
@@ -20,7 +21,9 @@ struct WallPlace {
 template <int D>
 class WallAgent final : public Agent<D> {
  public:
-  WallAgent(const WallPlace<D>& place, const WallRule& rule, const Vector<D>& gravity);
+  /// `impulses` takes what the wall takes and must outlive it; null: it is not counted.
+  WallAgent(const WallPlace<D>& place, const WallRule& rule, const Vector<D>& gravity,
+            WallImpulses<D>* impulses = nullptr);
 
   Box<D> reach() const override;
   double delay(const ParticleState<D>& particle, double now) const override;
@@ -33,6 +36,7 @@ class WallAgent final : public Agent<D> {
   double inward_;       ///< +1 at a low side, -1 at a high one
   double gravity_;      ///< along the inward normal
   PlaneMotion motion_;  ///< along the inward normal, from the edge
+  WallImpulses<D>* impulses_;
 };
 
 extern template class WallAgent<2>;

@@ -37,31 +37,36 @@ const std::vector<ObserverKind>& observer_kinds() {
       {{"pressure", "kinetic and collisional pressure"}, {}},
       {{"crossings", "normal velocities of the particles that cross a plane, and how many each way"},
        {"axis", "position", "range", "bins"},
-       false,
-       false,
-       false,
-       true},
+       ObserverSetting::plane},
       {{"fields", "number density, mean velocity and granular temperature on a grid of bins"}, {"grid"}},
       {{"shear-mode", "amplitude of the velocity along x as a sine of y"}, {}},
       {{"rotational-energy", "rotational energy of all particles, and their rotational granular temperature"},
        {},
-       false,
-       true},
+       ObserverSetting::spins},
       {{"impact-parameter",
         "histogram of the impact parameter of the collisions, in units of the contact distance"},
        {"bins"},
-       true},
-      {{"overlap", "deepest overlap met so far at a collision, in diameters"}, {}, true},
-      {{pair_correlation, "pair correlation g(r) over the distance of two particles"},
+       ObserverSetting::contacts},
+      {{"overlap", "deepest overlap met so far at a collision, in diameters"}, {}, ObserverSetting::contacts},
+      {{"pair-correlation", "pair correlation g(r) over the distance of two particles"},
        {"range", "bins"},
-       false,
-       false,
-       true},
+       ObserverSetting::periodic},
+      {{"pair-velocity", "correlation of the velocities of two particles over their distance"},
+       {"range", "bins"},
+       ObserverSetting::periodic},
       {{"structure-factor", "structure factor S(k) over the magnitude of the wave vector"},
        {"grid", "bins"},
-       false,
-       false,
-       true}};
+       ObserverSetting::periodic},
+      {{"centre-of-mass", "position of the centre of mass along each axis that is not periodic"},
+       {},
+       ObserverSetting::bounded},
+      {{"wall-force", "force of the particles on each wall, and power that each wall gives them"},
+       {},
+       ObserverSetting::bounded},
+      {{"free-surface",
+        "largest coordinate along an axis over each bin of the others: the surface of a heap"},
+       {"axis", "grid"}},
+      {{"kinetic-stress", "kinetic part of the pressure tensor on a grid of bins"}, {"grid"}}};
   return list;
 }
 
@@ -73,6 +78,10 @@ const ObserverKind* find_observer(const std::string& name) { return find(observe
 bool observer_uses(const std::string& what, const std::string& key) {
   const ObserverKind* kind = find_observer(what);
   return kind && std::count(kind->keys.begin(), kind->keys.end(), key) > 0;
+}
+
+bool observes_distances(const std::string& what) {
+  return what == "pair-correlation" || what == "pair-velocity";
 }
 
 }  // namespace sandglass

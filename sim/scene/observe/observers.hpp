@@ -10,17 +10,21 @@ struct NamedSummary {
   std::string summary;
 };
 
+/// What an observer needs of the rest of the scene.
+enum class ObserverSetting {
+  particles,  ///< particles in a box
+  contacts,   ///< a method whose particles touch
+  spins,      ///< particles whose spin changes
+  periodic,   ///< a domain that is periodic along every axis
+  bounded,    ///< an axis that is not periodic
+  plane,      ///< no particles in a box, only those that pass a plane
+};
+
 /// What can be observed, and the keys of [[observe]] beside `what` and `every` that it uses.
 struct ObserverKind : NamedSummary {
   std::vector<std::string> keys;
-  bool contacts_only = false;     ///< needs a method whose particles touch
-  bool rough_only = false;        ///< needs particles whose spin changes
-  bool periodic_only = false;     ///< needs a domain that is periodic along every axis
-  bool counts_crossings = false;  ///< needs no particles in a box, only those that pass a plane
+  ObserverSetting needs = ObserverSetting::particles;
 };
-
-/// The observer whose range is one of distances.
-inline const std::string pair_correlation = "pair-correlation";
 
 const std::vector<ObserverKind>& observer_kinds();
 std::vector<std::string> observer_names();
@@ -30,5 +34,7 @@ std::vector<NamedSummary> observer_summaries();
 const ObserverKind* find_observer(const std::string& name);
 /// Whether the observer `what` uses the key; false for an unknown observer.
 bool observer_uses(const std::string& what, const std::string& key);
+/// Whether its range is one of distances between two particles.
+bool observes_distances(const std::string& what);
 
 }  // namespace sandglass

@@ -18,7 +18,7 @@ void read_own_keys(Table& table, Observe& observe) {
   if (observer_uses(observe.what, "axis")) table.read_word("axis", "axis", observe.axis, axis_words());
   if (observer_uses(observe.what, "position"))
     table.require("position", observe.position, "where the plane stands on the axis");
-  if (observe.what == pair_correlation)
+  if (observes_distances(observe.what))
     table.require("range", observe.range, "first and last distance, for example range = [0.0, 5.0]");
   else if (observer_uses(observe.what, "range"))
     table.read("range", observe.range);

@@ -76,6 +76,22 @@ void check_distances(const Observe& observe, const Domain& domain, const std::st
                                  shown(path + ".range"), low, high, most));
 }
 
+/// The height is a coordinate, and a periodic axis has no lowest point.
+void check_free_surface(const Observe& observe, const Domain& domain, const std::string& path,
+                        Diagnostics& diagnostics) {
+  const auto axis = static_cast<std::size_t>(observe.axis);
+  const std::string name = axis_words()[axis].first;
+  if (diagnostics.clean("domain.sides") && domain.sides[axis][0] == Side::periodic)
+    diagnostics.report(path + ".axis",
+                       fmt::format("the observer 'free-surface' needs the height along an axis that is not "
+                                   "periodic, and {} is; give 'axis', against gravity",
+                                   name));
+  if (!diagnostics.clean(path + ".grid") || observe.grid[axis] == 1) return;
+  diagnostics.report(path + ".grid",
+                     fmt::format("{} has {} bins along {}, the axis of the height; give 1 there",
+                                 shown(path + ".grid"), observe.grid[axis], name));
+}
+
 /// What the observer needs of the rest of the scene.
 void check_setting(const ObserverKind& kind, const Scene& scene, const std::string& path,
                    Diagnostics& diagnostics) {
@@ -85,18 +101,21 @@ void check_setting(const ObserverKind& kind, const Scene& scene, const std::stri
   if (diagnostics.clean("method.preset")) {
     const auto contacts = [](const Capabilities& can) { return can.contacts; };
     const auto particles = [](const Capabilities& can) { return can.particles; };
-    if (kind.contacts_only && !contacts(capabilities(scene)))
+    if (kind.needs == ObserverSetting::contacts && !contacts(capabilities(scene)))
       refuse("particles that touch: the method " + presets_that(contacts));
-    else if (!kind.counts_crossings && !particles(capabilities(scene)))
+    else if (kind.needs != ObserverSetting::plane && !particles(capabilities(scene)))
       refuse("particles in a box: the method " + presets_that(particles));
   }
-  if (kind.rough_only && diagnostics.clean("species") && diagnostics.clean("wall") &&
+  if (kind.needs == ObserverSetting::spins && diagnostics.clean("species") && diagnostics.clean("wall") &&
       diagnostics.clean("obstacle") && !is_rough(scene))
     refuse("rough contacts: give 'tangential-restitution' above -1 to a species, wall or obstacle");
   const auto walled = [](const auto& sides) { return sides[0] != Side::periodic; };
-  if (kind.periodic_only && diagnostics.clean("domain.sides") &&
-      std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(), walled))
+  if (!diagnostics.clean("domain.sides")) return;
+  const bool bounded = std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(), walled);
+  if (kind.needs == ObserverSetting::periodic && bounded)
     refuse("a domain that is periodic along every axis");
+  if (kind.needs == ObserverSetting::bounded && !bounded)
+    refuse("an axis that is not periodic; see [domain.sides]");
 }
 
 void check_shear_mode(const Domain& domain, const std::string& path, Diagnostics& diagnostics) {
@@ -117,7 +136,8 @@ void check_observer(const Observe& observe, const Scene& scene, const std::strin
   if (uses("position") && axis_known) check_plane(observe, domain, path, diagnostics);
   if (uses("bins")) check_bins(observe, path, diagnostics);
   if (uses("grid")) check_grid(observe, domain.dimension, path, diagnostics);
-  if (observe.what == pair_correlation) check_distances(observe, domain, path, diagnostics);
+  if (observe.what == "free-surface" && axis_known) check_free_surface(observe, domain, path, diagnostics);
+  if (observes_distances(observe.what)) check_distances(observe, domain, path, diagnostics);
   check_setting(*kind, scene, path, diagnostics);
   if (observe.what == "shear-mode") check_shear_mode(domain, path, diagnostics);
 }
