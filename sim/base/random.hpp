@@ -17,6 +17,7 @@ enum class Purpose : std::uint64_t {
   walls = 6,          ///< step: particle, index: its changes of flight; draws at a wall or an obstacle
   species = 7,        ///< index: 0; which particle is of which species
   spins = 8,          ///< index: particle
+  entry = 9,          ///< index: (cell, place); moves into cells that may refuse them
 };
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.

@@ -7,7 +7,7 @@ void RefusableMotion<D>::advance(ParticleStore<D>& store, const MotionStep& step
   const std::size_t count = store.size();
   targets_.resize(count);
   refused_.assign(count, 0);
-  entering_.assign(store.grid().size(), 0);
+  entering_.assign(store.grid().size() + 1, 0);
   stage_->propose(store, 0, count, step, targets_.data());
   count_entering(store.offsets());
   rule.decide({store.grid(), store.offsets(), targets_, entering_, refused_});
@@ -22,7 +22,8 @@ void RefusableMotion<D>::count_entering(std::span<const std::uint32_t> offsets) 
       entering_[targets_[i]] += targets_[i] != cell;
 }
 
-/// In the order (old cell, old place), whatever the order of the flights.
+/// In the order (old cell, old place), whatever the order of the flights. Whom an offset has put out of its cell goes back
+/// to the edge of the cell, for the offset is refused with the rest of the move.
 template <int D>
 void RefusableMotion<D>::take_places(ParticleStore<D>& store) const {
   const auto offsets = store.offsets();
@@ -33,6 +34,7 @@ void RefusableMotion<D>::take_places(ParticleStore<D>& store) const {
     for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i) {
       const std::uint32_t to = refused_[i] ? cell : targets_[i];
       places[i] = {to, arrivals[to]++};
+      if (refused_[i]) store.grid().put_into(cell, store.phases()[i].position);
     }
 }
 

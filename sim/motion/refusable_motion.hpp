@@ -11,10 +11,11 @@ namespace sandglass::motion {
 template <int D>
 struct Proposals {
   const Grid<D>& grid;
-  std::span<const std::uint32_t> offsets;   ///< first particle of each cell, one more entry than cells
-  std::span<const std::uint32_t> targets;   ///< cell where each particle would arrive
-  std::span<const std::uint32_t> entering;  ///< per cell: particles that would come from other cells
-  std::span<std::uint8_t> refused;          ///< per particle, false at first: the rule's to set
+  std::span<const std::uint32_t> offsets;  ///< first particle of each cell, one more entry than cells
+  std::span<const std::uint32_t> targets;  ///< cell where each particle would arrive
+  std::span<const std::uint32_t>
+      entering;  ///< per cell, and out of the box: particles that would come from other cells
+  std::span<std::uint8_t> refused;  ///< per particle, false at first: the rule's to set
 };
 
 /// Which moves of a step are refused. What it decides for a particle may depend on the proposals and on (old cell, old
@@ -27,7 +28,8 @@ class EntryRule {
 };
 
 /// Free flight with moves that a rule may refuse: all are proposed, the rule decides, the accepted ones happen. A refused
-/// particle keeps place, velocity and cell, and gets no gravity.
+/// particle keeps place, velocity and cell, and gets no gravity. A place that an offset has taken out of the cell is moved
+/// back to its edge.
 template <int D>
 class RefusableMotion {
  public:
