@@ -22,6 +22,11 @@ enum class ExcludedVolume { none, cells };
 /// Into a cell that is not full. free: always; falling: less likely the fuller it is.
 enum class Entry { free, falling };
 
+/// Of the collision cells. shifted: displaced at random every step; diagonal: squares that stand on a corner.
+enum class CellLattice { fixed, shifted, diagonal };
+/// Where the partner of a collision is looked for: in the same cell, or a diameter away (ESMC, Montanero & Santos 1996).
+enum class Partners { cell, contact };
+
 /// Numbers at rising places, straight lines in between; also one number for all places.
 struct Curve {
   std::vector<double> at, value;
@@ -43,6 +48,8 @@ struct DsmcOptions {
   Entry entry = Entry::free;
   Curve entry_curve;  ///< probability over fraction; empty: from one at freezing to zero in a full cell
   bool offset_in_full_cells = false;
+  CellLattice lattice = CellLattice::fixed;
+  Partners partners = Partners::cell;
   ImpactDistribution impact = ImpactDistribution::uniform;
   Curve impact_coefficient;          ///< c over collisions per particle
   std::vector<std::uint64_t> cells;  ///< cells per axis; empty: chosen from cell_size
