@@ -18,6 +18,7 @@ enum class Purpose : std::uint64_t {
   species = 7,        ///< index: 0; which particle is of which species
   spins = 8,          ///< index: particle
   sources = 9,        ///< step: source, index: its particle; where it appears
+  entry = 10,         ///< index: (cell, place); moves into cells that may refuse them
 };
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.

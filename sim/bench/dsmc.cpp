@@ -1,5 +1,7 @@
 #include "sim/method/dsmc/dsmc.hpp"
 
+#include "sim/bench/scattered.hpp"
+
 #include <cmath>
 #include <string>
 
@@ -19,22 +21,6 @@ struct Feature {
   bool plane = false, thermal = false, obstacles = false;
   Offset offset{};
 };
-
-template <int D>
-std::vector<Phase<D>> gas(std::size_t count, double edge) {
-  std::vector<Phase<D>> particles(count);
-  const StreamKey key(1, Purpose::positions, 0, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    Random random(key, i);
-    for (int axis = 0; axis < D; ++axis) {
-      particles[i].position[axis] = edge * random.uniform();
-      double normal = -6;
-      for (int draw = 0; draw < 12; ++draw) normal += random.uniform();
-      particles[i].velocity[axis] = normal;
-    }
-  }
-  return particles;
-}
 
 /// Number density and time step that make cells two thirds of a mean free path at the wanted collision rate.
 template <int D>
@@ -62,7 +48,7 @@ void moves(benchmark::State& state, Feature feature) {
   if (feature.thermal) motion.walls = {{D - 1, false, 0, Vector<D>::Zero(), 0, 0, {WallKind::thermal}}};
   // One obstacle for ten cells.
   if (feature.obstacles)
-    for (const Phase<D>& place : gas<D>(count / 100, edge_cells - 1.0))
+    for (const Phase<D>& place : scattered<D>(count / 100, edge_cells - 1.0))
       motion.obstacles.push_back({place.position + Vector<D>::Constant(0.5), 0.2, {}});
   if (feature.factor) parameters.factor.formula = contact_formula(D);
   if (feature.expected) parameters.pair_count = PairCount::expected;
@@ -73,7 +59,7 @@ void moves(benchmark::State& state, Feature feature) {
   std::vector<ColumnInfo> columns;
   if (feature.ids) columns.push_back(column::id);
   Dsmc<D> dsmc(grid, parameters, motion, Streams{}, Purpose::collisions, columns);
-  dsmc.assign({gas<D>(count, edge_cells), {}});
+  dsmc.assign({scattered<D>(count, edge_cells), {}});
   std::uint64_t step = 0;
   for (; step < 3; ++step) dsmc.step(dt, step);
   dsmc.tally() = Tally{};

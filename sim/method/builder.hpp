@@ -32,6 +32,8 @@ class MethodBuilder {
                                               const Attachments<D>& attachments) const = 0;
   /// The same particles without loss, drive, planes and trace, to reach equilibrium before time zero.
   virtual std::unique_ptr<Simulator<D>> build_elastic(const Streams& streams) const = 0;
+  /// Shortest edge of the cells in which particles collide; 0 without cells.
+  virtual double cell_edge() const { return 0; }
   /// Length of a step of the elastic simulator; 0: as the scene says.
   virtual double elastic_step() const { return 0; }
   /// Fills in what the family alone knows: cells, columns, memory, features, warnings. The expected work stands there.

@@ -31,7 +31,8 @@ void RefusableMotion<D>::let_go(std::uint32_t removed) {
     if (targets_[i] == removed) refused_[i] = false;
 }
 
-/// In the order (old cell, old place), whatever the order of the flights.
+/// In the order (old cell, old place), whatever the order of the flights. Whom an offset has put out of its cell goes back
+/// to the edge of the cell, for the offset is refused with the rest of the move.
 template <int D>
 void RefusableMotion<D>::take_places(ParticleStore<D>& store) const {
   const auto offsets = store.offsets();
@@ -42,6 +43,7 @@ void RefusableMotion<D>::take_places(ParticleStore<D>& store) const {
     for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i) {
       const std::uint32_t to = refused_[i] ? cell : targets_[i];
       places[i] = {to, arrivals[to]++};
+      if (refused_[i]) store.grid().put_into(cell, store.phases()[i].position);
     }
 }
 

@@ -29,7 +29,8 @@ class EntryRule {
 };
 
 /// Free flight with moves that a rule may refuse: all are proposed, the rule decides, the accepted ones happen. A refused
-/// particle keeps place, velocity and cell, and gets no gravity.
+/// particle keeps place, velocity and cell, and gets no gravity. A place that an offset has taken out of the cell is moved
+/// back to its edge.
 template <int D>
 class RefusableMotion {
  public:

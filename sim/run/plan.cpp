@@ -8,14 +8,22 @@ namespace sandglass {
 
 namespace {
 
+/// Of a Maxwellian gas the fastest of a million particles moves at about five thermal speeds.
+template <int D>
+double expected_step(const Setup<D>& setup, double rate) {
+  const TimeStep& step = setup.scene.method.time_step;
+  if (step.fixed) return *step.fixed;
+  if (step.collisions) return *step.collisions / rate;
+  return *step.cell_fraction * setup.method->cell_edge() / (10 * thermal_speed(setup.scene));
+}
+
 /// Steps and collisions that the duration stands for, at the initial temperature.
 template <int D>
 void expect_work(const Setup<D>& setup, Plan& plan) {
   const Scene& scene = setup.scene;
-  const TimeStep& step = scene.method.time_step;
   const double rate = setup.method->collision_rate(scene.initial.temperature);
   plan.mean_free_path = mean_speed(D, thermal_speed(scene)) / rate;
-  plan.time_step = step.fixed ? *step.fixed : step.collisions.value_or(0) / rate;
+  plan.time_step = expected_step(setup, rate);
   plan.collisions_per_particle_and_step = rate * plan.time_step;
   const Duration& duration = scene.run.duration;
   if (duration.time) plan.steps = *duration.time / plan.time_step;

@@ -10,12 +10,36 @@
 
 namespace sandglass {
 
+namespace {
+/// Steps between looks at the largest speed, which the bound exceeds twice.
+constexpr std::uint64_t kLook = 10;
+
+/// Of a fall through one cell, or of the fastest wall.
+double drive_speed(const Scene& scene, double edge) {
+  double gravity = 0;
+  for (const double component : scene.gravity) gravity = std::hypot(gravity, component);
+  double wall = 0;
+  for (const Wall& each : scene.walls) {
+    double speed = 2 * M_PI * each.amplitude * each.frequency;
+    for (const double component : each.velocity) speed = std::hypot(speed, component);
+    wall = std::max(wall, speed);
+  }
+  return std::sqrt(2 * gravity * edge) + wall;
+}
+}  // namespace
+
 template <int D>
 TimeStepper<D>::TimeStepper(const Setup<D>& setup) {
   const Scene& scene = setup.scene;
   const TimeStep& step = scene.method.time_step;
   fixed_ = step.fixed.value_or(0);
   if (step.fixed) return;
+  if (step.cell_fraction) {
+    distance_ = *step.cell_fraction * setup.method->cell_edge();
+    drive_speed_ = drive_speed(scene, setup.method->cell_edge());
+    refresh_ = kLook;
+    return;
+  }
   wanted_ = step.collisions.value();
   rate_at_one_ = setup.method->collision_rate(1);
   particles_ = static_cast<double>(setup.particles);
@@ -26,19 +50,31 @@ TimeStepper<D>::TimeStepper(const Setup<D>& setup) {
     refresh_ = static_cast<std::uint64_t>(std::clamp(0.005 / std::max(loss, 1e-9), 1.0, 100.0));
 }
 
-/// The rate goes with the density, that is with the number of particles in the box.
 template <int D>
 double TimeStepper<D>::next(const View<D>& view, std::uint64_t step) {
   if (looks(step)) {
-    const double temperature = temperatures(view).mean();
-    const double crowding = static_cast<double>(view.particles.size()) / particles_;
-    current_ = wanted_ / (rate_at_one_ * std::sqrt(temperature) * crowding);
-    if (!(temperature > 0) || !std::isfinite(current_))
-      throw RunError(fmt::format(
-          "step {}: granular temperature {} gives no time step; give 'method.time-step' as a time", step,
-          temperature));
+    current_ = distance_ > 0 ? within_cells(view) : for_collisions(view);
+    if (!(current_ > 0) || !std::isfinite(current_))
+      throw RunError(
+          fmt::format("step {}: speeds that give no time step (granular temperature {}); give "
+                      "'method.time-step' as a time",
+                      step, temperatures(view).mean()));
   }
   return current();
+}
+
+/// The rate goes with the density, that is with the number of particles in the box.
+template <int D>
+double TimeStepper<D>::for_collisions(const View<D>& view) const {
+  const double crowding = static_cast<double>(view.particles.size()) / particles_;
+  return wanted_ / (rate_at_one_ * std::sqrt(temperatures(view).mean()) * crowding);
+}
+
+template <int D>
+double TimeStepper<D>::within_cells(const View<D>& view) const {
+  double square = 0;
+  for (const Phase<D>& particle : view.particles) square = std::max(square, particle.velocity.squaredNorm());
+  return distance_ / (2 * std::sqrt(square) + drive_speed_);
 }
 
 template class TimeStepper<2>;

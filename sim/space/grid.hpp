@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace sandglass {
@@ -31,6 +32,19 @@ class Grid {
     std::uint32_t cell = coordinate(position, D - 1);
     for (int axis = D - 2; axis >= 0; --axis) cell = cell * cells_[index(axis)] + coordinate(position, axis);
     return cell;
+  }
+
+  /// The nearest position of this cell: for it cell_of() gives the cell, to the last digit.
+  void put_into(std::uint32_t cell, Vector<D>& position) const {
+    for (int axis = 0; axis < D; ++axis) {
+      const std::uint32_t place = cell % cells_[index(axis)];
+      cell /= cells_[index(axis)];
+      const double edge = 1 / per_length_[axis];
+      double& x = position[axis];
+      x = std::min(std::clamp(x, place * edge, (place + 1) * edge), box_[axis]);
+      while (coordinate(position, axis) < place) x = std::nextafter(x, HUGE_VAL);
+      while (coordinate(position, axis) > place) x = std::nextafter(x, -HUGE_VAL);
+    }
   }
 
  private:

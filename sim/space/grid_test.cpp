@@ -119,5 +119,24 @@ TEST(Grid, TakesWhatIsOutsideToTheCellAtTheEdge) {
     }
 }
 
+/// Whatever the digits of the edges, the cell of the new position is the wanted one; positions inside stay.
+TEST(Grid, PutsAPositionIntoACell) {
+  const Grid<3> grid(Vector<3>(1.7, 0.3, 12.1), {7, 3, 11});
+  Random random(StreamKey(1, Purpose::positions, 0, 0), 0);
+  for (std::uint32_t cell = 0; cell < grid.size(); ++cell)
+    for (int trial = 0; trial < 20; ++trial) {
+      Vector<3> position;
+      for (int axis = 0; axis < 3; ++axis) position[axis] = grid.box()[axis] * (1.4 * random.uniform() - 0.2);
+      const Vector<3> before = position;
+      grid.put_into(cell, position);
+      ASSERT_EQ(grid.cell_of(position), cell);
+      ASSERT_TRUE((position.array() >= 0).all() && (position.array() <= grid.box().array()).all());
+      const bool inside = (before.array() >= 0).all() && (before.array() < grid.box().array()).all();
+      if (inside && grid.cell_of(before) == cell) {
+        ASSERT_EQ(position, before);
+      }
+    }
+}
+
 }  // namespace
 }  // namespace sandglass

@@ -32,6 +32,24 @@ class Neighbours {
     return up ? cell - last * stride_[a] : cell + last * stride_[a];
   }
 
+  /// Calls visit(neighbour, unit vector towards it) for every cell that shares a side with this one; a cell that is its
+  /// own neighbour is none.
+  template <class Visit>
+  void for_each_neighbour(std::uint32_t cell, Visit visit) const {
+    for (int axis = 0; axis < D; ++axis)
+      for (const bool up : {false, true})
+        if (const auto next = neighbour(cell, axis, up); next && *next != cell)
+          visit(*next, Vector<D>((up ? 1.0 : -1.0) * Vector<D>::Unit(axis)));
+  }
+
+  /// Colour on a checkerboard over all axes: 0 or 1, another than that of every neighbour, save across the seam of a
+  /// periodic axis with an odd number of cells.
+  std::uint32_t parity(std::uint32_t cell) const {
+    std::uint32_t sum = 0;
+    for (std::size_t axis = 0; axis < D; ++axis) sum += coordinate(cell, axis);
+    return sum % 2;
+  }
+
   /// Three where a periodic axis has an odd number of cells, else two.
   int colours(int axis) const {
     const auto a = static_cast<std::size_t>(axis);

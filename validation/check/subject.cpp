@@ -45,6 +45,10 @@ double Subject::particles_per_cell() const {
 
 double Subject::collisions_per_step() const {
   if (scene_.method.time_step.collisions) return *scene_.method.time_step.collisions;
+  if (scene_.method.time_step.cell_fraction) {
+    const auto& counters = record_->replicas.front().counters;
+    return 2 * counters.at("collisions") / particles_ / counters.at("steps");
+  }
   return scene_.method.time_step.fixed.value_or(0) * law::collision_rate(gas(scene_.initial.temperature));
 }
 

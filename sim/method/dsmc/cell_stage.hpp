@@ -29,6 +29,7 @@ struct CellFields {
 template <int D>
 struct CellStep {
   StreamKey key;  ///< of the step; index streams by cell
+  std::uint64_t number;
   double dt;
   ParticleStore<D>& store;
   CellFields<D>& fields;
@@ -52,10 +53,11 @@ class CellStages {
   CellStages(const Grid<D>& grid, const std::array<bool, D>& periodic) : neighbours_(grid, periodic) {}
 
   void add(std::unique_ptr<CellStage<D>> stage) { stages_.push_back(std::move(stage)); }
-  void apply(ParticleStore<D>& store, const StreamKey& key, double dt) {
+  /// `number` is that of the step.
+  void apply(ParticleStore<D>& store, const StreamKey& key, std::uint64_t number, double dt) {
     for (const auto& stage : stages_) {
       fields_.update(stage->needs(), store);
-      stage->apply({key, dt, store, fields_, neighbours_});
+      stage->apply({key, number, dt, store, fields_, neighbours_});
     }
   }
   std::size_t bytes() const {

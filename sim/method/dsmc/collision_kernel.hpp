@@ -79,6 +79,7 @@ class CollisionKernel final : public CollisionStage<D> {
     const typename Rule::Columns columns = rule_.columns(step, begin);
     Random random = task.random;  // in registers
     double square_bound = square(rule_.bound(1)) * task.square_diagonal;
+    const bool displaces = displaces_ && (step.still == nullptr || step.still[task.cell] == 0);
     double transfer = 0;
     for (std::uint64_t left = task.candidates; left > 0; --left) {
       ++step.tally->candidates;
@@ -89,7 +90,7 @@ class CollisionKernel final : public CollisionStage<D> {
       const double square_speed = relative.squaredNorm();
       if (!rule_.accepts(columns, pair, square_speed, square_bound, random.uniform())) continue;
       const Vector<D> change = rule_.collide(columns, pair, relative, square_speed, random);
-      if (displaces_) transfer += displace(columns, pair, change, one, two, random);
+      if (displaces) transfer += displace(columns, pair, change, one, two, random);
       ++step.tally->collisions;
       if (left == 1) break;
       if (const double ratio = widen(task, one.velocity, two.velocity); ratio > 1) {

@@ -1,6 +1,7 @@
 #include "sim/method/dsmc/collision_stage.hpp"
 
 #include "sim/method/dsmc/faulty_pairs.hpp"
+#include "sim/method/dsmc/fitted_pairs.hpp"
 
 namespace sandglass::dsmc {
 
@@ -10,12 +11,14 @@ std::unique_ptr<CollisionStage<D>> make_kernel(const Parameters& parameters);
 
 template <int D>
 std::unique_ptr<CollisionStage<D>> make_collision_stage(const Parameters& parameters) {
+  if (parameters.impact.fitted()) return make_kernel<D, FittedPairs<D>>(parameters);
   return make_kernel<D, SmoothPairs<D>>(parameters);
 }
 
 template <int D>
 std::unique_ptr<CollisionStage<D>> make_faulty_collision_stage(const Parameters& parameters) {
-  return make_kernel<D, FaultyPairs<D>>(parameters);
+  if (parameters.impact.fitted()) return make_kernel<D, FaultyPairs<D, FittedPairs<D>>>(parameters);
+  return make_kernel<D, FaultyPairs<D, SmoothPairs<D>>>(parameters);
 }
 
 template std::unique_ptr<CollisionStage<2>> make_collision_stage(const Parameters&);

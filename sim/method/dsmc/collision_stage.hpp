@@ -21,7 +21,9 @@ struct CollisionStep {
   StreamKey key;
   double
       coefficient;  ///< weight sigma dt / (2 V_cell): candidates per ordered pair and unit of relative speed
-  const double* factor;  ///< on the pairs of each cell; null without
+  const double* factor;       ///< on the pairs of each cell; null without
+  const std::uint8_t* still;  ///< not zero for cells whose collisions displace nobody; null without
+  double impact_coefficient;  ///< of the fitted distribution of impact parameters
   Phase<D>* particles;
   const std::uint32_t* offsets;
   Tally* tally;

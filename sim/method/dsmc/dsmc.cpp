@@ -16,7 +16,11 @@ Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::M
       purpose_(purpose),
       collisions_(parameters.faults.any() ? make_faulty_collision_stage<D>(parameters)
                                           : make_collision_stage<D>(parameters)),
-      stages_(grid, this->periodic()) {}
+      stages_(grid, this->periodic()) {
+  if (!parameters.excluded_volume.any()) return;
+  excluded_ = std::make_unique<ExcludedVolumeOfCells<D>>(parameters, motion, grid);
+  add(excluded_->take_stage());
+}
 
 template <int D>
 void Dsmc<D>::assign(const Particles<D>& particles) {
@@ -34,9 +38,17 @@ void Dsmc<D>::make_factor(double particles) {
 template <int D>
 void Dsmc<D>::step(double dt, std::uint64_t step) {
   const StreamKey key(streams_.seed, purpose_, streams_.replica, step);
-  stages_.apply(store_, key, dt);
+  if (excluded_) excluded_->mark(store_.offsets());
+  stages_.apply(store_, key, step, dt);
   if (factor_) factor_->update(store_.offsets());
-  collide_and_move(this->motion_step(dt, step), collision_step(dt, key));
+  const motion::MotionStep motion = this->motion_step(dt, step);
+  const CollisionStep<D> collisions = collision_step(dt, key);
+  if (excluded_ && excluded_->refuses()) {
+    collisions_->collide(collisions, 0, store_.grid().size());
+    excluded_->advance(store_, motion, {streams_.seed, Purpose::entry, streams_.replica, step});
+  } else {
+    collide_and_move(motion, collisions);
+  }
   this->end_step(dt);
 }
 
@@ -47,10 +59,19 @@ CollisionStep<D> Dsmc<D>::collision_step(double dt, const StreamKey& key) {
   return {key,
           coefficient,
           factor_ ? factor_->values() : nullptr,
+          excluded_ ? excluded_->still() : nullptr,
+          impact_coefficient(),
           store_.phases().data(),
           store_.offsets().data(),
           &tally_,
           &bound_raised_};
+}
+
+template <int D>
+double Dsmc<D>::impact_coefficient() const {
+  if (!parameters_.impact.fitted() || store_.size() == 0) return 0;
+  const double collisions = 2 * static_cast<double>(tally_.collisions) / static_cast<double>(store_.size());
+  return parameters_.impact.coefficient.at(collisions);
 }
 
 template <int D>
@@ -70,6 +91,7 @@ void Dsmc<D>::collide_and_move(const motion::MotionStep& motion, const Collision
 template <int D>
 std::map<std::string, double> Dsmc<D>::counters() const {
   std::map<std::string, double> counters = CellSimulator<D>::counters();
+  if (excluded_) counters.merge(excluded_->counters());
   counters["bound-raised"] = static_cast<double>(bound_raised_);
   return counters;
 }
@@ -79,6 +101,7 @@ Memory Dsmc<D>::save() const {
   Memory memory = CellSimulator<D>::save();
   memory["dsmc/bound-raised"] = {static_cast<double>(bound_raised_)};
   memory["dsmc/window"] = {assigned_};
+  if (excluded_) excluded_->save(memory);
   return memory;
 }
 
@@ -86,12 +109,14 @@ template <int D>
 void Dsmc<D>::load(const Memory& memory) {
   CellSimulator<D>::load(memory);
   bound_raised_ = static_cast<std::uint64_t>(memory.at("dsmc/bound-raised").at(0));
+  if (excluded_) excluded_->load(memory);
   if (memory.at("dsmc/window").at(0) != assigned_) make_factor(memory.at("dsmc/window").at(0));
 }
 
 template <int D>
 std::size_t Dsmc<D>::bytes() const {
-  return CellSimulator<D>::bytes() + stages_.bytes() + (factor_ ? factor_->bytes() : 0);
+  return CellSimulator<D>::bytes() + stages_.bytes() + (factor_ ? factor_->bytes() : 0) +
+         (excluded_ ? excluded_->bytes() : 0);
 }
 
 template class Dsmc<2>;

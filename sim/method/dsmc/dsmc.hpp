@@ -3,6 +3,7 @@
 #include "sim/method/cell_simulator.hpp"
 #include "sim/method/dsmc/cell_stage.hpp"
 #include "sim/method/dsmc/collision_stage.hpp"
+#include "sim/method/dsmc/excluded_volume.hpp"
 #include "sim/method/dsmc/pair_factor.hpp"
 
 #include <memory>
@@ -12,6 +13,7 @@ namespace sandglass::dsmc {
 
 /// Direct simulation Monte Carlo and its dense-gas variants in D dimensions. A step works on whole cells where a
 /// stage asks for it, collides the particles of each cell, moves them, and sorts them into the cells where they arrive.
+/// With an excluded volume of cells, moves into full ones are refused.
 template <int D>
 class Dsmc final : public CellSimulator<D> {
  public:
@@ -34,6 +36,7 @@ class Dsmc final : public CellSimulator<D> {
   using CellSimulator<D>::streams_, CellSimulator<D>::store_, CellSimulator<D>::tally_;
 
   void make_factor(double particles);
+  double impact_coefficient() const;
   CollisionStep<D> collision_step(double dt, const StreamKey& key);
   void collide_and_move(const motion::MotionStep& motion, const CollisionStep<D>& collisions);
 
@@ -43,6 +46,7 @@ class Dsmc final : public CellSimulator<D> {
   std::optional<PairFactor<D>> factor_;
   double assigned_ = 0;  ///< particles that the window of the pair factor was chosen for
   CellStages<D> stages_;
+  std::unique_ptr<ExcludedVolumeOfCells<D>> excluded_;  ///< null where particles are points
   std::uint64_t bound_raised_ = 0;
 };
 

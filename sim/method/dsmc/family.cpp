@@ -8,6 +8,7 @@
 #include "sim/method/dsmc/planted_faults.hpp"
 #include "sim/method/motion_from_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -35,6 +36,12 @@ class Builder final : public MethodBuilder<D> {
         parameters_.factor.formula == nullptr ? 1 : parameters_.factor.formula(fraction(scene_)).value;
     return M_SQRT2 * density() * parameters_.cross_section * contact *
            mean_speed(D, std::sqrt(temperature / species.mass));
+  }
+
+  double cell_edge() const override {
+    double edge = HUGE_VAL;
+    for (int axis = 0; axis < D; ++axis) edge = std::min(edge, 1 / grid_.cells_per_length(axis));
+    return edge;
   }
 
   std::unique_ptr<Simulator<D>> build(const Streams& streams,
@@ -67,6 +74,8 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("random offset", parameters_.offset.random != 0);
     plan.feature("momentum carried by offsets (observer pressure)", parameters_.measure_transfer);
     plan.feature("pairs expected by chance", parameters_.pair_count == PairCount::expected);
+    plan.feature("excluded volume of cells", parameters_.excluded_volume.any());
+    plan.feature("fitted impact parameters", parameters_.impact.fitted());
     plan.feature("walls with a rule", !motion_.walls.empty());
     plan.feature("particle identities", scene_.output.ids);
     warn(plan);
@@ -88,7 +97,8 @@ class Builder final : public MethodBuilder<D> {
     const double per_cell = (parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8) +
                             (parameters_.pair_count == PairCount::expected ? 44 : 0);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
-           per_cell * grid_.size() / particles;
+           (parameters_.excluded_volume.any() ? 5 : 0) +
+           (per_cell + (parameters_.excluded_volume.any() ? 21 + 8 * D : 0)) * grid_.size() / particles;
   }
 
   void warn(Plan& plan) const {

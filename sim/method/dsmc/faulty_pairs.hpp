@@ -4,24 +4,23 @@
 
 namespace sandglass::dsmc {
 
-/// SmoothPairs with the planted faults of the suite, which the honest kernel must not pay for.
-template <int D>
-class FaultyPairs : public SmoothPairs<D> {
+/// An honest rule with the planted faults of the suite, which that rule must not pay for.
+template <int D, class Rule>
+class FaultyPairs : public Rule {
  public:
-  using Columns = typename SmoothPairs<D>::Columns;
+  using Columns = typename Rule::Columns;
 
   explicit FaultyPairs(const Parameters& parameters)
-      : SmoothPairs<D>(parameters), restitution_(parameters.restitution), faults_(parameters.faults) {}
+      : Rule(parameters), restitution_(parameters.restitution), faults_(parameters.faults) {}
 
   double bound(double speed) const { return faults_.bound * speed; }
   std::uint64_t whole(double expected, Random& random) const {
-    return faults_.fraction_truncated ? static_cast<std::uint64_t>(expected)
-                                      : SmoothPairs<D>::whole(expected, random);
+    return faults_.fraction_truncated ? static_cast<std::uint64_t>(expected) : Rule::whole(expected, random);
   }
   bool accepts(const Columns& columns, const Pair& pair, double square_speed, double square_bound,
                double uniform) const {
-    return square_speed > 0 && SmoothPairs<D>::accepts(columns, pair, square_speed, square_bound, uniform) !=
-                                   faults_.acceptance_inverted;
+    return square_speed > 0 &&
+           Rule::accepts(columns, pair, square_speed, square_bound, uniform) != faults_.acceptance_inverted;
   }
   Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,
                     Random& random) const {
@@ -29,7 +28,7 @@ class FaultyPairs : public SmoothPairs<D> {
     Vector<D>& velocity_2 = columns.phases[pair.second].velocity;
     const Vector<D> before_1 = velocity_1, before_2 = velocity_2;
     const Vector<D> normal = contact_normal(relative, 1 / std::sqrt(square_speed),
-                                            Vector<D - 1>(faults_.impact * uniform_impact<D>(random)));
+                                            Vector<D - 1>(faults_.impact * this->impact(columns, random)));
     SmoothInelastic{restitution_}(velocity_1, velocity_2, normal);
     velocity_2 += faults_.momentum_leak * (before_2 - velocity_2);
     return velocity_1 - before_1;

@@ -1,7 +1,11 @@
 #include "sim/method/dsmc/from_scene.hpp"
 
+#include "sim/base/packing.hpp"
 #include "sim/method/grid_from_scene.hpp"
 #include "sim/physics/collision.hpp"
+#include "sim/scene/method/capabilities.hpp"
+
+#include <algorithm>
 
 namespace sandglass::dsmc {
 
@@ -24,13 +28,26 @@ Offset offset_of(const Scene& scene) {
   }
   return {};
 }
+
+ExcludedVolume excluded_volume_of(int dimension, const DsmcOptions& options) {
+  ExcludedVolume volume;
+  if (options.excluded_volume == sandglass::ExcludedVolume::none) return volume;
+  volume.densest = options.densest_fraction.value_or(random_close_packing(dimension));
+  volume.offset_in_full_cells = options.offset_in_full_cells;
+  if (options.entry == Entry::free) return volume;
+  volume.entry = {options.entry_curve.at, options.entry_curve.value};
+  // Below freezing every place of the fluid can be reached.
+  if (volume.entry.empty())
+    volume.entry = {{std::min(freezing_fraction(dimension), 0.85 * volume.densest), volume.densest}, {1, 0}};
+  return volume;
+}
 }  // namespace
 
 template <int D>
 Grid<D> grid_of(const Scene& scene, double particles_per_cell) {
   const DsmcOptions& options = options_of(scene);
-  if (!options.cells.empty()) return grid_of_cells<D>(scene, {options.cells.begin(), options.cells.end()});
-  return grid_of_edge<D>(scene, options.cell_size ? *options.cell_size : edge_for(scene, particles_per_cell));
+  if (!options.cells.empty() || options.cell_size) return grid_of_cells<D>(scene, cells_along(scene));
+  return grid_of_cells<D>(scene, cells_of_edge(scene, edge_for(scene, particles_per_cell)));
 }
 
 template <int D>
@@ -45,6 +62,8 @@ Parameters parameters_of(const Scene& scene) {
   parameters.weight = scene.method.weight;
   parameters.offset = offset_of(scene);
   parameters.poured = static_cast<double>(poured_count(scene));
+  parameters.excluded_volume = excluded_volume_of(D, options);
+  parameters.impact.coefficient = {options.impact_coefficient.at, options.impact_coefficient.value};
   if (options.pair_count == sandglass::PairCount::expected) parameters.pair_count = PairCount::expected;
   if (options.contact_factor == ContactFactor::local)
     parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed};

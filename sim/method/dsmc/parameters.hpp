@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/method/dsmc/curve.hpp"
 #include "sim/physics/contact_value.hpp"
 
 #include <cmath>
@@ -24,6 +25,20 @@ struct LocalFactor {
 /// the local density; see ExpectedPairs.
 enum class PairCount { counted, expected };
 
+/// Excluded volume on the level of cells (hybrid simulation Monte Carlo, Mueller 2001). Absent where `densest` is 0.
+struct ExcludedVolume {
+  double densest = 0;                 ///< fraction that a cell is filled to at most
+  Curve entry;                        ///< probability of a move into a cell, over its fraction; empty: one
+  bool offset_in_full_cells = false;  ///< collisions in full cells displace their partners too
+  bool any() const { return densest > 0; }
+};
+
+/// Distribution of impact parameters, see FittedImpact.
+struct Impact {
+  Curve coefficient;  ///< over collisions per particle since time zero; empty: uniform
+  bool fitted() const { return !coefficient.empty(); }
+};
+
 /// Faults that the mutant suite plants; all at their honest values otherwise.
 struct Faults {
   double bound = 1;          ///< factor on the bound of relative speeds
@@ -33,7 +48,10 @@ struct Faults {
   bool fraction_truncated = false;  ///< drops the fractional candidate
   double expected_pairs = 1;        ///< factor on the pairs that PairCount::expected puts into a cell
   bool speeds_forgotten = false;    ///< PairCount::expected takes missing pairs for average ones
-  /// Of the collision kernel; the others change the factor of a cell.
+  double heat_share = 1;            ///< of the energy that collisions of cells take, given back
+  bool colours_fixed = false;       ///< the checkerboard of full cells does not swap
+  bool room_updated = false;        ///< a cell fills up as its particles arrive, in the order of work
+  /// Of the collision kernel; the others are those of a cell.
   bool any() const {
     return bound != 1 || momentum_leak != 0 || impact != 1 || acceptance_inverted || fraction_truncated;
   }
@@ -49,6 +67,8 @@ struct Parameters {
   LocalFactor factor;
   PairCount pair_count = PairCount::counted;
   Offset offset;
+  ExcludedVolume excluded_volume;
+  Impact impact;
   bool measure_transfer = false;
   double poured =
       0;  ///< particles that sources bring in: the window of the local density is chosen for them too

@@ -40,6 +40,17 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](P p, int) { p.faults.expected_pairs = 2; }},
       {{"fast-pairs-forgotten", "expected pairs take those missing for average ones"},
        [](P p, int) { p.faults.speeds_forgotten = true; }},
+      {{"cells-never-full", "full cells not marked"}, [](P p, int) { p.excluded_volume.densest *= 1e6; }},
+      {{"densest-plus-10-percent", "cells take in 10% more than the densest packing"},
+       [](P p, int) { p.excluded_volume.densest *= 1.1; }},
+      {{"cell-heat-kept", "energy that collisions of cells take is not given back"},
+       [](P p, int) { p.faults.heat_share = 0; }},
+      {{"cell-colours-fixed", "checkerboard of full cells does not swap"},
+       [](P p, int) { p.faults.colours_fixed = true; }},
+      {{"room-updated", "room of cells updated as particles arrive"},
+       [](P p, int) { p.faults.room_updated = true; }},
+      {{"impact-coefficient-ignored", "impact parameters uniform whatever was fitted"},
+       [](P p, int) { p.impact.coefficient = {}; }},
   };
   return all;
 }

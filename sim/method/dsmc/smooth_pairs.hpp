@@ -34,6 +34,8 @@ class SmoothPairs {
   bool accepts(const Columns&, const Pair&, double square_speed, double square_bound, double uniform) const {
     return uniform * uniform * square_bound < square_speed;
   }
+  /// Impact parameter in diameters, for rules that draw it in another way than collide() does.
+  Vector<D - 1> impact(const Columns&, Random& random) const { return uniform_impact<D>(random); }
   /// Changes both particles and returns the change of the first velocity. `relative` is v_1 - v_2.
   Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,
                     Random& random) const {

@@ -24,6 +24,8 @@ struct TestCells {
     return {StreamKey(1, Purpose::collisions, 0, number),
             coefficient,
             factor,
+            nullptr,
+            0,
             particles.data(),
             offsets.data(),
             &tally,

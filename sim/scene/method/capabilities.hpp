@@ -20,6 +20,7 @@ struct Capabilities {
   bool gravity = true;
   bool event_trace = false;
   bool varying_number = false;  ///< particles may enter and leave
+  bool cells = false;           ///< that the scene may choose, and in which particles collide
   bool restartable = true;
   bool ranks = false;  ///< runs on more than one
 };
@@ -31,6 +32,12 @@ const Capabilities& capabilities(const Scene& scene);
 
 /// Cells along each axis; empty where the method chooses them.
 std::vector<double> cells_along(const Scene& scene);
+/// The whole numbers of cells nearest to this edge, at least one along each axis; even along periodic axes where the
+/// method works on a checkerboard of cells.
+std::vector<double> cells_of_edge(const Scene& scene, double edge);
+/// Cells take in no more than the densest packing; full ones collide on a checkerboard, which closes across a seam only
+/// with an even number of cells.
+bool has_full_cells(const Scene& scene);
 /// Collisions move their partners out of the cell whose pairs are counted.
 bool loses_pairs(const Scene& scene);
 /// The collision rate goes with the contact value of the local density.

@@ -46,9 +46,23 @@ std::vector<double> cells_along(const Scene& scene) {
   const std::vector<std::uint64_t> cells = choice(scene.method, std::vector<std::uint64_t>{}, given);
   const std::optional<double> edge = choice(scene.method, std::optional<double>{}, size);
   std::vector<double> numbers(cells.begin(), cells.end());
-  if (numbers.empty() && edge)
-    for (const double length : scene.domain.size)
-      numbers.push_back(std::max(1.0, std::round(length / *edge)));
+  return numbers.empty() && edge ? cells_of_edge(scene, *edge) : numbers;
+}
+
+bool has_full_cells(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.excluded_volume == ExcludedVolume::cells) {
+    return options.excluded_volume == ExcludedVolume::cells;
+  };
+  return choice(scene.method, false, get);
+}
+
+std::vector<double> cells_of_edge(const Scene& scene, double edge) {
+  std::vector<double> numbers;
+  for (std::size_t axis = 0; axis < scene.domain.size.size(); ++axis) {
+    const double exact = scene.domain.size[axis] / edge;
+    const bool even = has_full_cells(scene) && scene.domain.sides[axis][0] == Side::periodic && exact >= 1.5;
+    numbers.push_back(std::max(1.0, even ? 2 * std::round(exact / 2) : std::round(exact)));
+  }
   return numbers;
 }
 

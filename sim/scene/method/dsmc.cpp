@@ -56,6 +56,8 @@ void read(Table& table, MethodOptions& options) {
   table.read_word("offset", "offset", dsmc.offset, offset_words());
   read_random_offset(table, dsmc);
   table.read_word("pair-count", "pair count", dsmc.pair_count, pair_count_words());
+  read_excluded_volume(table, dsmc);
+  read_impact(table, dsmc);
   table.read("cells", dsmc.cells);
   table.read("cell-size", dsmc.cell_size);
   if (table.has("cells")) table.refuse("cell-size", "is given beside 'cells'; give one of them");
@@ -68,6 +70,8 @@ void write(Lines& lines, const MethodOptions& options) {
   lines.add("offset", word_of(offset_words(), dsmc.offset));
   if (dsmc.offset == Offset::random) lines.add("random-offset", dsmc.random_offset);
   lines.add("pair-count", word_of(pair_count_words(), dsmc.pair_count));
+  write_excluded_volume(lines, dsmc);
+  write_impact(lines, dsmc);
   if (!dsmc.cells.empty()) lines.add("cells", dsmc.cells);
   lines.add("cell-size", dsmc.cell_size);
 }
@@ -94,6 +98,8 @@ void check(const Scene& scene, Diagnostics& diagnostics) {
                        "'method.random-offset' is used with offset = \"random\" only");
   if (dsmc.offset == Offset::corrected) check_corrected_offset(scene, diagnostics);
   if (dsmc.cell_size) check_bounds(diagnostics, "method.cell-size", *dsmc.cell_size, positive());
+  check_excluded_volume(scene, dsmc, diagnostics);
+  check_impact(dsmc, diagnostics);
   check_cells(dsmc, scene.domain, diagnostics);
   if (!scene.sources.empty() && dsmc.cells.empty() && !dsmc.cell_size)
     diagnostics.report(
@@ -111,11 +117,28 @@ Preset preset(const char* name, const char* summary, ContactFactor factor, Offse
   return {{name, summary}, options};
 }
 
+/// Hybrid simulation Monte Carlo: `cba` with an excluded volume of cells.
+Preset hybrid(const char* name, const char* summary, void (*choose)(DsmcOptions&)) {
+  DsmcOptions options;
+  options.contact_factor = ContactFactor::local;
+  options.offset = Offset::consistent;
+  options.excluded_volume = ExcludedVolume::cells;
+  choose(options);
+  return {{name, summary}, options};
+}
+
+Preset fitted(const char* name, const char* summary) {
+  DsmcOptions options;
+  options.impact = ImpactDistribution::fitted;
+  return {{name, summary}, options};
+}
+
 MethodFamily make_family() {
   using enum SurfaceKind;
   MethodFamily family;
   family.name = "dsmc";
   family.can.weights = true;
+  family.can.cells = true;
   family.can.wall_rules = {specular, bounce_back, random_tangential_sign, thermal};
   family.can.obstacles = true;
   family.can.varying_number = true;
@@ -134,8 +157,30 @@ MethodFamily make_family() {
       preset(
           "cba-expected-pairs",
           "cba that takes its candidates from the pairs expected by chance: right with few particles a cell",
-          ContactFactor::local, Offset::consistent, PairCount::expected)};
-  family.keys = {"contact-factor", "density", "offset", "random-offset", "pair-count", "cells", "cell-size"};
+          ContactFactor::local, Offset::consistent, PairCount::expected),
+      hybrid("hsmc", "hybrid simulation Monte Carlo: cba, and cells take in no more than the densest packing",
+             [](DsmcOptions&) {}),
+      hybrid("hsmc-ramp", "hsmc where a cell is the harder to enter the fuller it is",
+             [](DsmcOptions& options) { options.entry = Entry::falling; }),
+      hybrid("hsmc-pb", "hsmc with impact parameters from p(b) = a/(1 - c b^2)",
+             [](DsmcOptions& options) { options.impact = ImpactDistribution::fitted; }),
+      hybrid("hsmc-offset-everywhere", "hsmc that displaces partners in full cells too: heaps do not rest",
+             [](DsmcOptions& options) { options.offset_in_full_cells = true; }),
+      fitted("dsmc-pb", "dsmc with impact parameters from p(b) = a/(1 - c b^2)")};
+  family.keys = {"contact-factor",
+                 "density",
+                 "offset",
+                 "random-offset",
+                 "pair-count",
+                 "excluded-volume",
+                 "densest-fraction",
+                 "entry",
+                 "entry-probability",
+                 "offset-in-full-cells",
+                 "impact",
+                 "impact-coefficient",
+                 "cells",
+                 "cell-size"};
   family.read = read;
   family.write = write;
   family.check = check;

@@ -2,8 +2,11 @@
 
 #include "sim/scene/domain/domain.hpp"
 #include "sim/scene/method/options.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/scene/text/diagnostics.hpp"
+#include "sim/scene/text/table.hpp"
 #include "sim/scene/text/words.hpp"
+#include "sim/scene/text/write_value.hpp"
 
 namespace sandglass {
 
@@ -11,6 +14,18 @@ const Words<ContactFactor>& contact_factor_words();
 const Words<DensityEstimate>& density_words();
 const Words<Offset>& offset_words();
 const Words<PairCount>& pair_count_words();
+
+// Excluded volume of cells, and the distribution of impact parameters: their keys of [method].
+void read_excluded_volume(Table& table, DsmcOptions& dsmc);
+void write_excluded_volume(Lines& lines, const DsmcOptions& dsmc);
+void check_excluded_volume(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics);
+void read_impact(Table& table, DsmcOptions& dsmc);
+void write_impact(Lines& lines, const DsmcOptions& dsmc);
+void check_impact(const DsmcOptions& dsmc, Diagnostics& diagnostics);
+
+/// Reports a curve whose places do not rise, or whose lists differ in length; true when it is sound.
+bool check_curve(const Curve& curve, const std::string& path, const std::string& places,
+                 const std::string& values, Diagnostics& diagnostics);
 
 /// Reports cells that are too many, too wide or given in two ways.
 void check_cells(const DsmcOptions& dsmc, const Domain& domain, Diagnostics& diagnostics);

@@ -6,10 +6,12 @@
 
 namespace sandglass {
 
-/// Time step: fixed, or chosen so that a particle collides `collisions` times per step (Galilean invariant).
+/// Time step: fixed, or chosen so that a particle collides `collisions` times per step (Galilean invariant), or so that
+/// no pair comes closer by more than `cell_fraction` of a cell in a step. Exactly one of them.
 struct TimeStep {
   std::optional<double> fixed;
-  std::optional<double> collisions;
+  std::optional<double> collisions = {};
+  std::optional<double> cell_fraction = {};
   bool operator==(const TimeStep&) const = default;
 };
 

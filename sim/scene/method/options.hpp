@@ -17,13 +17,41 @@ enum class Offset { none, consistent, corrected, random };
 /// What candidates come from: the pairs that a cell holds, or those that chance would put there.
 enum class PairCount { counted, expected };
 
+/// cells: none takes in more than the densest packing, and full ones collide as a whole (HSMC, Mueller 2001).
+enum class ExcludedVolume { none, cells };
+/// Into a cell that is not full. free: always; falling: less likely the fuller it is.
+enum class Entry { free, falling };
+
+/// Of the collision cells. shifted: displaced at random every step; diagonal: squares that stand on a corner.
+enum class CellLattice { fixed, shifted, diagonal };
+/// Where the partner of a collision is looked for: in the same cell, or a diameter away (ESMC, Montanero & Santos 1996).
+enum class Partners { cell, contact };
+
+/// Numbers at rising places, straight lines in between; also one number for all places.
+struct Curve {
+  std::vector<double> at, value;
+  bool operator==(const Curve&) const = default;
+};
+
+/// uniform: molecular chaos; fitted: p(b) = a/(1 - c b^2) with b in diameters (Mueller 2001, 3.18).
+enum class ImpactDistribution { uniform, fitted };
+
 /// Direct simulation Monte Carlo and its dense-gas variants.
 struct DsmcOptions {
   ContactFactor contact_factor = ContactFactor::none;
   DensityEstimate density = DensityEstimate::smoothed;
   Offset offset = Offset::none;
   PairCount pair_count = PairCount::counted;
-  double random_offset = 0;          ///< cuba: length of the extra zero-mean offset, in diameters
+  double random_offset = 0;  ///< cuba: length of the extra zero-mean offset, in diameters
+  ExcludedVolume excluded_volume = ExcludedVolume::none;
+  std::optional<double> densest_fraction;  ///< of a full cell; none: random close packing
+  Entry entry = Entry::free;
+  Curve entry_curve;  ///< probability over fraction; empty: from one at freezing to zero in a full cell
+  bool offset_in_full_cells = false;
+  CellLattice lattice = CellLattice::fixed;
+  Partners partners = Partners::cell;
+  ImpactDistribution impact = ImpactDistribution::uniform;
+  Curve impact_coefficient;          ///< c over collisions per particle
   std::vector<std::uint64_t> cells;  ///< cells per axis; empty: chosen from cell_size
   std::optional<double> cell_size;   ///< wanted edge; the nearest whole number of cells is taken
   bool operator==(const DsmcOptions&) const = default;

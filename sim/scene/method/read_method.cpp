@@ -46,11 +46,15 @@ void refuse_keys_of_others(Table& table, const Method& method) {
 
 void read_time_step(Table& table, TimeStep& time_step) {
   if (!table.has("time-step"))
-    table.report_missing("time-step", "give a time, or { collisions-per-particle = 0.1 }");
+    table.report_missing("time-step",
+                         "give a time, { collisions-per-particle = 0.1 } or { cell-fraction = 0.5 }");
   if (!table.is("time-step", Node::Kind::table)) return table.read("time-step", time_step.fixed);
   Table inner = *table.table("time-step");
-  inner.require("collisions-per-particle", time_step.collisions,
-                "collisions of a particle in one step, for example 0.1");
+  inner.read("collisions-per-particle", time_step.collisions);
+  inner.read("cell-fraction", time_step.cell_fraction);
+  if (!inner.has("collisions-per-particle") && !inner.has("cell-fraction"))
+    inner.report_missing("collisions-per-particle",
+                         "collisions of a particle in one step, for example 0.1; or give 'cell-fraction'");
   inner.finish();
 }
 }  // namespace

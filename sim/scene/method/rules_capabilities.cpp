@@ -110,6 +110,9 @@ void check_contents(const Scene& scene, Refusals& refusals) {
   without(scene.output.ids, "output.ids");
   refusals.without(scene.output.checkpoint.has_value(), refusals.can.restartable, "output.checkpoint",
                    "has no state to keep; remove it");
+  refusals.unable(
+      scene.method.time_step.cell_fraction.has_value(), "method.time-step.cell-fraction",
+      [](const Capabilities& can) { return can.cells; }, "give a time");
   refusals.unable(scene.output.event_trace.has_value(), "output.event-trace",
                   [](const Capabilities& can) { return can.event_trace; });
   refusals.when(scene.output.event_trace && scene.output.event_trace->empty(), "output.event-trace",

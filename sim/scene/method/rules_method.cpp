@@ -10,12 +10,19 @@ namespace sandglass {
 namespace {
 void check_time_step(const TimeStep& step, Diagnostics& diagnostics) {
   const std::string path = "method.time-step";
-  if (step.fixed.has_value() == step.collisions.has_value() && diagnostics.clean(path))
-    diagnostics.report(path,
-                       "'method.time-step' needs a time or { collisions-per-particle }, one of the two");
+  const int given = step.fixed.has_value() + step.collisions.has_value() + step.cell_fraction.has_value();
+  if (given != 1 && diagnostics.clean(path))
+    diagnostics.report(
+        path, "'method.time-step' needs one of a time, { collisions-per-particle } and { cell-fraction }");
   if (step.fixed) check_bounds(diagnostics, path, *step.fixed, positive());
   if (step.collisions)
     check_bounds(diagnostics, path + ".collisions-per-particle", *step.collisions, positive());
+  if (step.cell_fraction &&
+      check_bounds(diagnostics, path + ".cell-fraction", *step.cell_fraction, positive()) &&
+      *step.cell_fraction > 1)
+    diagnostics.report(path + ".cell-fraction", shown(path + ".cell-fraction") +
+                                                    " is above 1: particles would "
+                                                    "jump over cells; allowed: above 0, to 1");
 }
 
 /// A scene made in code may name one family's preset beside another's options.

@@ -1,3 +1,4 @@
+#include "sim/base/packing.hpp"
 #include "sim/scene/method/capabilities.hpp"
 #include "sim/scene/rules.hpp"
 #include "sim/scene/text/bounds.hpp"
@@ -79,12 +80,10 @@ void check_count(const Scene& scene, Diagnostics& diagnostics) {
                           scene.species.size() > 1 ? " with the other species" : "", most_particles));
 }
 
-/// Densest packings: disks pi/(2 sqrt 3), spheres pi/(3 sqrt 2). Random close packing: 0.82 and 0.64 (Mueller
-/// 2001).
 void check_fraction(const Scene& scene, Diagnostics& diagnostics) {
   const bool flat = scene.domain.dimension == 2;
-  const double close = flat ? 0.9069 : 0.7405;
-  const double random_close = flat ? 0.82 : 0.64;
+  const double close = close_packing(scene.domain.dimension);
+  const double random_close = random_close_packing(scene.domain.dimension);
   const double value = fraction(scene);
   const std::string path = amount_path(scene, 0);
   const std::string density =
@@ -93,7 +92,7 @@ void check_fraction(const Scene& scene, Diagnostics& diagnostics) {
   if (value >= close)
     diagnostics.report(path, fmt::format("{}, at or above close packing ({}); use fewer or smaller particles",
                                          density, close));
-  else if (value >= random_close && has_contact_factor(scene))
+  else if (value >= random_close && has_contact_factor(scene) && !has_full_cells(scene))
     diagnostics.report(
         path, fmt::format("{}, at or above random close packing ({}), where the contact value of the "
                           "local density does not hold; use fewer or smaller particles",

@@ -62,11 +62,19 @@ std::string write_value(const Cadence& value) {
 
 std::string write_value(const TimeStep& value) {
   if (value.fixed) return write_value(*value.fixed);
+  if (value.cell_fraction) return entry("cell-fraction", write_value(*value.cell_fraction));
   return entry("collisions-per-particle", write_value(value.collisions.value_or(0)));
 }
 
 std::string write_value(const ShearWave& value) {
   return fmt::format("{{ amplitude = {}, periods = {} }}", write_value(value.amplitude), value.periods);
+}
+
+void Lines::add_table(const std::string& key,
+                      const std::vector<std::pair<std::string, std::string>>& entries) {
+  std::string table;
+  for (const auto& [name, value] : entries) table += (table.empty() ? " " : ", ") + name + " = " + value;
+  text_ += key + " = {" + table + " }\n";
 }
 
 }  // namespace sandglass

@@ -41,6 +41,8 @@ class Lines {
   void add(const std::string& key, const std::optional<Value>& value) {
     if (value) add(key, *value);
   }
+  /// key = { name = value, ... }, the values as write_value() gives them.
+  void add_table(const std::string& key, const std::vector<std::pair<std::string, std::string>>& entries);
   const std::string& text() const { return text_; }
 
  private:

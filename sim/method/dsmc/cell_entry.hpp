@@ -1,0 +1,40 @@
+#pragma once
+
+#include "sim/method/dsmc/full_cells.hpp"
+#include "sim/motion/refusable_motion.hpp"
+
+namespace sandglass::dsmc {
+
+/// Refuses moves into full cells, and into others with the probability that the table of entry leaves. The room of a cell
+/// is that of the start of the step, however many enter (Mueller 2001, 4.2.1).
+template <int D>
+class CellEntry final : public motion::EntryRule<D> {
+ public:
+  CellEntry(const Parameters& parameters, const Grid<D>& grid, const FullCells<D>& full);
+
+  /// Names the streams of the coming moves.
+  void begin_step(const StreamKey& key) { key_ = key; }
+  void decide(const motion::Proposals<D>& moves) override;
+
+  std::uint64_t& refused() { return refused_; }
+  std::uint64_t refused() const { return refused_; }
+  std::size_t bytes() const { return probability_.capacity() * sizeof(float); }
+
+ private:
+  void look_up(const motion::Proposals<D>& moves);
+  bool admits(std::uint32_t from, std::uint32_t place, std::uint32_t target) const;
+  void decide_in_order(const motion::Proposals<D>& moves);
+
+  const FullCells<D>& full_;
+  Curve entry_;
+  double fraction_per_particle_;
+  bool in_order_;
+  StreamKey key_;
+  std::vector<float> probability_;  ///< to enter each cell; empty where it is one
+  std::uint64_t refused_ = 0;       ///< moves since time zero
+};
+
+extern template class CellEntry<2>;
+extern template class CellEntry<3>;
+
+}  // namespace sandglass::dsmc

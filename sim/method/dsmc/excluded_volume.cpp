@@ -1,0 +1,43 @@
+#include "sim/method/dsmc/excluded_volume.hpp"
+
+namespace sandglass::dsmc {
+
+template <int D>
+ExcludedVolumeOfCells<D>::ExcludedVolumeOfCells(const Parameters& parameters,
+                                                const motion::MotionParameters<D>& motion,
+                                                const Grid<D>& grid)
+    : full_(parameters, grid),
+      stage_(std::make_unique<CellCollisions<D>>(parameters, grid, full_)),
+      collisions_(stage_.get()),
+      entry_(parameters, grid, full_),
+      motion_(motion, grid.box()),
+      everywhere_(parameters.excluded_volume.offset_in_full_cells),
+      certain_entry_(parameters.excluded_volume.entry.empty()) {}
+
+template <int D>
+std::map<std::string, double> ExcludedVolumeOfCells<D>::counters() const {
+  const CellCollisionCount& count = collisions_->count();
+  return {{"cell-collisions", count.collisions},
+          {"cell-heat", count.heat},
+          {"cell-heat-lost", count.heat_lost},
+          {"moves-refused", static_cast<double>(entry_.refused())}};
+}
+
+template <int D>
+void ExcludedVolumeOfCells<D>::save(Memory& memory) const {
+  const CellCollisionCount& count = collisions_->count();
+  memory["dsmc/cells"] = {count.collisions, count.heat, count.heat_lost,
+                          static_cast<double>(entry_.refused())};
+}
+
+template <int D>
+void ExcludedVolumeOfCells<D>::load(const Memory& memory) {
+  const std::vector<double>& counts = memory.at("dsmc/cells");
+  collisions_->count() = {counts.at(0), counts.at(1), counts.at(2)};
+  entry_.refused() = static_cast<std::uint64_t>(counts.at(3));
+}
+
+template class ExcludedVolumeOfCells<2>;
+template class ExcludedVolumeOfCells<3>;
+
+}  // namespace sandglass::dsmc

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "sim/method/dsmc/cell_collisions.hpp"
+#include "sim/method/dsmc/cell_entry.hpp"
+#include "sim/observe/tally.hpp"
+
+#include <map>
+#include <string>
+
+namespace sandglass::dsmc {
+
+/// Excluded volume on the level of cells: full cells collide as a whole, take no particle in, and do not displace the
+/// partners of their collisions (hybrid simulation Monte Carlo, Mueller 2001).
+template <int D>
+class ExcludedVolumeOfCells {
+ public:
+  ExcludedVolumeOfCells(const Parameters& parameters, const motion::MotionParameters<D>& motion,
+                        const Grid<D>& grid);
+
+  /// The stage that lets full cells collide; to be asked for once.
+  std::unique_ptr<CellStage<D>> take_stage() { return std::move(stage_); }
+  void mark(std::span<const std::uint32_t> offsets) { full_.update(offsets); }
+  /// Whether moves may be refused in this step: some cell is full, or entry is not certain.
+  bool refuses() const { return full_.any() || !certain_entry_; }
+  /// Per cell, not zero where partners are not displaced; null where all are.
+  const std::uint8_t* still() const { return everywhere_ || !full_.any() ? nullptr : full_.flags(); }
+  void advance(ParticleStore<D>& store, const motion::MotionStep& step, const StreamKey& key) {
+    entry_.begin_step(key);
+    motion_.advance(store, step, entry_);
+  }
+
+  std::map<std::string, double> counters() const;
+  void save(Memory& memory) const;
+  void load(const Memory& memory);
+  std::size_t bytes() const {
+    return full_.bytes() + entry_.bytes() + motion_.bytes() + collisions_->bytes();
+  }
+
+ private:
+  FullCells<D> full_;
+  std::unique_ptr<CellCollisions<D>> stage_;
+  CellCollisions<D>* collisions_;
+  CellEntry<D> entry_;
+  motion::RefusableMotion<D> motion_;
+  bool everywhere_, certain_entry_;
+};
+
+extern template class ExcludedVolumeOfCells<2>;
+extern template class ExcludedVolumeOfCells<3>;
+
+}  // namespace sandglass::dsmc

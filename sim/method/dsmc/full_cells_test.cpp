@@ -1,0 +1,39 @@
+#include "sim/method/dsmc/full_cells.hpp"
+
+#include "sim/method/dsmc/test_crowd.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sandglass::dsmc {
+namespace {
+
+TEST(FullCells, HaveNoRoomForOneMore) {
+  const Parameters parameters = crowd_parameters<2>();
+  FullCells<2> full(parameters, crowd_grid<2>(2));
+  EXPECT_EQ(full.capacity(), 10U);  // ten are 0.8 exactly, though 0.8 / 0.08 is not
+  const std::vector<std::uint32_t> offsets = {0, 9, 19, 30, 30};
+  full.update(offsets);
+  EXPECT_FALSE(full.full(0));
+  EXPECT_TRUE(full.full(1));
+  EXPECT_TRUE(full.full(2));
+  EXPECT_FALSE(full.full(3));
+  EXPECT_FALSE(full.full(4));  // out of the box
+  EXPECT_TRUE(full.any());
+  const std::vector<std::uint32_t> sparse = {0, 9, 18, 18, 18};
+  full.update(sparse);
+  EXPECT_FALSE(full.any());
+}
+
+TEST(FullCells, CountRealParticles) {
+  Parameters parameters = crowd_parameters<3>();
+  parameters.excluded_volume.densest = 0.64;
+  parameters.weight = 1;
+  // Spheres of diameter one, pi/6 of a unit volume each: 12 in a cell of volume 10, 0.63 of it; 13 would be 0.68.
+  EXPECT_EQ(most_in_cell(3, parameters, 10), 12U);
+  parameters.weight = 0.5;
+  EXPECT_EQ(most_in_cell(3, parameters, 10), 24U);
+  EXPECT_EQ(most_in_cell(3, parameters, 0.1), 0U);
+}
+
+}  // namespace
+}  // namespace sandglass::dsmc

@@ -1,0 +1,99 @@
+#include "sim/scene/method/capabilities.hpp"
+#include "sim/scene/test_bad_scene.hpp"
+
+namespace sandglass {
+namespace {
+
+const std::string good = R"([run]
+duration = { time = 10.0 }
+[domain]
+dimension = 2
+size = [10.0, 20.0]
+sides.y = "specular"
+[[species]]
+count = 10
+[method]
+preset = "hsmc"
+cells = [4, 7]
+time-step = { cell-fraction = 0.5 }
+[[observe]]
+what = "energy"
+every = { time = 1.0 }
+)";
+
+class ExcludedVolumeScene : public testing::TestWithParam<Fault> {};
+
+TEST_P(ExcludedVolumeScene, RefusesWhatCannotBe) { expect_fault(good, GetParam()); }
+
+const std::vector<Fault> edits = {
+    {"odd_cells", "cells = [4, 7]", "cells = [5, 7]", "11:9", {"5 along a periodic axis", "1 or even", "6"}},
+    {"no_room",
+     "cells = [4, 7]",
+     "weight = 100.0\ncells = [40, 70]",
+     "12:9",
+     {"room for", "at least 1", "'method.weight'"}},
+    {"too_dense", "cells =", "densest-fraction = 0.95\ncells =", "11:20", {"0.95", "close packing (0.9069)"}},
+    {"nothing_to_fall",
+     "cells =",
+     "entry-probability = { fraction = [0.5, 0.8], probability = [1, 0] }\ncells =",
+     "11:21",
+     {"entry = \"falling\" only"}},
+    {"uneven_lists",
+     "cells =",
+     "entry = \"falling\"\nentry-probability = { fraction = [0.5, 0.8], probability = [1] }\ncells =",
+     "12:21",
+     {"2 numbers in 'fraction' and 1 in 'probability'"}},
+    {"falling_fractions",
+     "cells =",
+     "entry = \"falling\"\nentry-probability = { fraction = [0.8, 0.5], probability = [1, 0] }\ncells =",
+     "12:21",
+     {"0.5 after 0.8", "must rise"}},
+    {"unlikely",
+     "cells =",
+     "entry = \"falling\"\nentry-probability = { fraction = [0.5, 0.8], probability = [1.5, 0] }\ncells =",
+     "12:63",
+     {"1.5", "0 to 1"}},
+    {"points_have_no_densest",
+     "\"hsmc\"",
+     "\"cba\"\ndensest-fraction = 0.8",
+     "11:1",
+     {"excluded-volume = \"cells\""}},
+    {"steps_over_cells", "cell-fraction = 0.5", "cell-fraction = 1.5", "12:31", {"above 1"}},
+    {"two_steps",
+     "cell-fraction = 0.5",
+     "cell-fraction = 0.5, collisions-per-particle = 0.1",
+     "12:13",
+     {"needs one of"}},
+    {"no_coefficient", "\"hsmc\"", "\"hsmc-pb\"", "9:1", {"'method.impact-coefficient'", "a/(1 - c b^2)"}},
+    {"grazing_only", "\"hsmc\"", "\"hsmc-pb\"\nimpact-coefficient = 1.0", "11:22", {"1", "-100 to 0.999"}},
+    {"unused_coefficient", "cells =", "impact-coefficient = 0.3\ncells =", "11:1", {"impact = \"fitted\""}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Edits, ExcludedVolumeScene, testing::ValuesIn(edits), fault_name);
+
+/// What is written reads back as it was.
+TEST(ExcludedVolumeScene, KeepsItsKeysInTheRecord) {
+  const auto with = [](const std::string& preset, const std::string& keys) {
+    std::string text = good;
+    text.replace(text.find("\"hsmc\""), 6, '"' + preset + "\"\n" + keys);
+    return read_scene_text(text, "scene.toml");
+  };
+  for (const Scene& scene :
+       {with("hsmc", "densest-fraction = 0.7"), with("hsmc-ramp", ""),
+        with("hsmc-ramp", "entry-probability = { fraction = [0.5, 0.75], probability = [1, 0.25] }"),
+        with("hsmc-pb", "impact-coefficient = 0.4"), with("hsmc-offset-everywhere", ""),
+        with("dsmc-pb", "impact-coefficient = { collisions-per-particle = [0, 80], value = [0, 0.5] }")})
+    EXPECT_EQ(read_scene_text(write_scene(scene), "again.toml"), scene);
+}
+
+/// A wanted edge gives an even number of cells where the checkerboard must close across a seam.
+TEST(ExcludedVolumeScene, TakesEvenNumbersOfCellsAlongPeriodicAxes) {
+  std::string text = good;
+  text.replace(text.find("cells = [4, 7]"), 14, "cell-size = 2.0");
+  EXPECT_EQ(cells_along(read_scene_text(text, "scene.toml")), (std::vector<double>{4, 10}));
+  text.replace(text.find("\"hsmc\""), 6, "\"cba\"");
+  EXPECT_EQ(cells_along(read_scene_text(text, "scene.toml")), (std::vector<double>{5, 10}));
+}
+
+}  // namespace
+}  // namespace sandglass
