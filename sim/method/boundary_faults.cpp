@@ -45,9 +45,9 @@ const std::vector<FaultEntry<SceneChange>>& boundary_faults() {
 }
 
 Scene with_boundary_fault(const Scene& scene, const std::string& name) {
-  Scene told = scene;
-  plant(boundary_faults(), name, told);
-  return told;
+  Scene faulty = scene;
+  plant(boundary_faults(), name, faulty);
+  return faulty;
 }
 
 }  // namespace sandglass

@@ -7,8 +7,8 @@ namespace sandglass {
 
 using SceneChange = void (*)(Scene&);
 
-/// Faults of walls, obstacles and gravity, for every family that has them: changes of the scene that the family is told,
-/// made after the particles were placed.
+/// Faults of walls, obstacles and gravity, for every family that has them: changes of the scene that the family gets, made
+/// after the particles were placed.
 const std::vector<FaultEntry<SceneChange>>& boundary_faults();
 
 /// The scene with that fault planted, if it is one of them.

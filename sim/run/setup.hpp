@@ -19,7 +19,7 @@ struct Setup {
 
 /// Throws InputError for a combination that the method cannot do.
 template <int D>
-Setup<D> set_up(const Scene& scene, const Mutation& mutation);
+Setup<D> set_up(const Scene& scene, const std::string& planted_fault);
 
 /// One plane per observer that needs one, in order.
 std::vector<Plane> make_planes(const std::vector<ObserverSpec>& observers);
