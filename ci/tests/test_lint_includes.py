@@ -1,4 +1,4 @@
-"""The include lint finds what is planted, names its place, and is silent about a sound tree."""
+"""The include lint finds what is wrong, names its place, and is silent about a sound tree."""
 import subprocess
 from pathlib import Path
 
@@ -34,8 +34,8 @@ SOUND = {
 
 @pytest.fixture
 def lint(tmp_path):
-    def run(**planted):
-        for path, text in (SOUND | planted.get("files", {})).items():
+    def run(**wrong):
+        for path, text in (SOUND | wrong.get("files", {})).items():
             (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
             (tmp_path / path).write_text(text)
         done = subprocess.run([LINT, tmp_path], capture_output=True, text=True)
@@ -63,7 +63,7 @@ def test_sound_tree_passes(lint):
     ("docs/architecture.md", TABLE.replace("verdicts | base", "verdicts | physics"), "may never include"),
     ("docs/architecture.md", "nothing\n", "no table of rooms found"),
 ])
-def test_planted_fault_is_named(lint, path, text, complaint):
+def test_what_is_wrong_is_named(lint, path, text, complaint):
     status, output = lint(files={path: text})
     assert status == 1
     assert complaint in output

@@ -61,10 +61,10 @@ const std::vector<FaultEntry<SceneChange>>& exchange_faults() {
 }
 
 Scene with_boundary_fault(const Scene& scene, const std::string& name) {
-  Scene told = scene;
-  plant(boundary_faults(), name, told);
-  plant(exchange_faults(), name, told);
-  return told;
+  Scene faulty = scene;
+  plant(boundary_faults(), name, faulty);
+  plant(exchange_faults(), name, faulty);
+  return faulty;
 }
 
 }  // namespace sandglass

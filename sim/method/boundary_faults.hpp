@@ -8,7 +8,7 @@ namespace sandglass {
 using SceneChange = void (*)(Scene&);
 
 /// Faults of walls, obstacles and gravity, for every family that has them: changes of the scene that the family and the
-/// sources are told, made after the particles were placed.
+/// sources get, made after the particles were placed.
 const std::vector<FaultEntry<SceneChange>>& boundary_faults();
 /// Those of open sides and sources, for every family whose number of particles may change.
 const std::vector<FaultEntry<SceneChange>>& exchange_faults();

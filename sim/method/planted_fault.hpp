@@ -29,11 +29,11 @@ std::vector<PlantedFault> names_of_faults(const std::vector<FaultEntry<Change>>&
   return faults;
 }
 
-/// Changes what a method is told, if the fault stands in this list.
-template <class Change, class... Told>
-void plant(const std::vector<FaultEntry<Change>>& list, const std::string& name, Told&&... told) {
+/// Changes what a method is made from, if the fault stands in this list.
+template <class Change, class... Parts>
+void plant(const std::vector<FaultEntry<Change>>& list, const std::string& name, Parts&&... parts) {
   for (const FaultEntry<Change>& entry : list)
-    if (entry.fault.name == name) entry.plant(told...);
+    if (entry.fault.name == name) entry.plant(parts...);
 }
 
 }  // namespace sandglass

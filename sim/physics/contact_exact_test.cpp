@@ -43,7 +43,7 @@ TEST(Contact, ADiskThatSlidesTakesCoulombsImpulse) {
   EXPECT_NEAR(spin[0], -1.2, 1e-15);
 }
 
-/// Perfectly rough spheres, m = 1, R = 1, I = 2/5, meet head-on in x; the first spins with 7 about z. Where they touch, its
+/// Perfectly rough spheres, m = 1, R = 1, I = 2/5, collide head-on in x; the first spins with 7 about z. Where they touch, its
 /// surface at -x moves with -7 y; M_t = 1/(2 + 5) and j = 2 * 7 / 7 = 2 along y; spins change by 5/2 * 2 = 5, against 7.
 TEST(Contact, PerfectlyRoughSpheresExchangeSpin) {
   Vector<3> one(-1, 0, 0), two(1, 0, 0);

@@ -22,7 +22,7 @@ constexpr std::array<Variables, 5> kLaunchers = {{
     {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID"},          // srun
 }};
 
-/// PMIx tells the rank alone: MPI must be asked for their number.
+/// PMIx names the rank alone: MPI must be asked for their number.
 constexpr std::array kSignsOfMpi = {
     "OMPI_COMM_WORLD_SIZE", "MV2_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK", "MPI_LOCALNRANKS"};
 
@@ -33,9 +33,9 @@ Launch launch_of(const Environment& environment) {
   Launch launch;
   const auto is_set = [&](const char* name) { return environment(name) != nullptr; };
   launch.starts_mpi = std::ranges::any_of(kSignsOfMpi, is_set);
-  const auto told = std::ranges::find_if(kLaunchers, is_set, &Variables::count);
-  if (told != kLaunchers.end())
-    launch.told = {std::max(1, number(environment(told->count))), number(environment(told->own))};
+  const auto variables = std::ranges::find_if(kLaunchers, is_set, &Variables::count);
+  if (variables != kLaunchers.end())
+    launch.ranks = {std::max(1, number(environment(variables->count))), number(environment(variables->own))};
   return launch;
 }
 
@@ -43,6 +43,6 @@ Launch launch_of_this_program() {
   return launch_of([](const char* name) { return std::getenv(name); });
 }
 
-Ranks ranks_of(const Launch& launch, const Ranks& mpi) { return mpi.count > 1 ? mpi : launch.told; }
+Ranks ranks_of(const Launch& launch, const Ranks& mpi) { return mpi.count > 1 ? mpi : launch.ranks; }
 
 }  // namespace sandglass::program

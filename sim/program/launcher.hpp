@@ -13,7 +13,7 @@ struct Ranks {
 
 /// What the environment says of the launcher that started this copy (mpirun, srun, ...); as it stands when there is none.
 struct Launch {
-  Ranks told;
+  Ranks ranks;
   bool starts_mpi = false;  ///< MPI can be asked
   bool operator==(const Launch&) const = default;
 };

@@ -19,8 +19,8 @@ law::Arguments read_arguments(const std::vector<std::string>& words) {
     const std::string key = word.substr(0, equals);
     double value = 0;
     const char* begin = word.data() + std::min(equals, word.size() - 1) + 1;
-    const auto [end, fault] = std::from_chars(begin, word.data() + word.size(), value);
-    if (equals == std::string::npos || fault != std::errc() || end != word.data() + word.size())
+    const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
+    if (equals == std::string::npos || error != std::errc() || end != word.data() + word.size())
       throw InputError(fmt::format("'{}' is not key=number; write for example restitution=0.9", word));
     if (!arguments.emplace(key, value).second) throw InputError(fmt::format("'{}' is given twice", key));
   }

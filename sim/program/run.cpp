@@ -85,7 +85,7 @@ int run_to_record(const Options& options, const std::string& path, Work work) {
   return all_well;
 }
 
-/// What the plan of the scene warns of, on the error stream, so that nobody has to ask for the plan to hear it.
+/// What the plan of the scene warns of, on the error stream, so that nobody has to ask for the plan to see it.
 void warn(const Scene& scene) {
   for (const std::string& warning : plan(scene).warnings) fmt::print(stderr, "warning: {}\n", warning);
 }

@@ -75,7 +75,7 @@ void print_mutants(const SuiteResult& result) {
       std::ranges::count_if(result.mutants, [](const MutantResult& mutant) { return mutant.caught; });
   for (const MutantResult& mutant : result.mutants)
     if (!mutant.caught)
-      fmt::print("missed  {} by {}/{}/{}  {}: {}\n", mutant.mutation, mutant.case_name, mutant.variant,
+      fmt::print("missed  {} by {}/{}/{}  {}: {}\n", mutant.fault, mutant.case_name, mutant.variant,
                  mutant.point, mutant.check.evidence.check, mutant.check.judgement.reason);
   fmt::print("planted faults: {} of {} caught\n", caught, result.mutants.size());
 }

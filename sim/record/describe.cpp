@@ -11,7 +11,8 @@ namespace {
 std::string or_unknown(const std::string& word) { return word.empty() ? "unknown" : word; }
 
 std::string origin(const Provenance& made) {
-  const std::string planted = made.mutation.empty() ? "" : fmt::format("; PLANTED FAULT '{}'", made.mutation);
+  const std::string planted =
+      made.planted_fault.empty() ? "" : fmt::format("; PLANTED FAULT '{}'", made.planted_fault);
   return fmt::format("written by Sandglass {} (commit {}), {}{}\n", or_unknown(made.program_version),
                      or_unknown(made.commit), or_unknown(made.created), planted);
 }

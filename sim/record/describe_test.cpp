@@ -25,7 +25,7 @@ TEST(DescribeRecord, SaysWhatIsInIt) {
 
 TEST(DescribeRecord, NamesAPlantedFault) {
   Record record = sample_record();
-  record.provenance.mutation = "offset-dropped";
+  record.provenance.planted_fault = "offset-dropped";
   record.trajectory.clear();
   EXPECT_THAT(describe_record(record), HasSubstr("PLANTED FAULT 'offset-dropped'"));
   EXPECT_THAT(describe_record(record), HasSubstr("no trajectory"));
@@ -39,7 +39,7 @@ TEST(Provenance, NamesVersionCommitBuildAndTime) {
       << made.commit;
   EXPECT_THAT(made.build, HasSubstr("-ffp-contract=off"));
   EXPECT_THAT(made.created, MatchesRegex("20..-..-..T..:..:..Z"));
-  EXPECT_EQ(made.mutation, "");
+  EXPECT_EQ(made.planted_fault, "");
 }
 
 }  // namespace

@@ -15,10 +15,10 @@ namespace sandglass {
 /// Who made a record, from what.
 struct Provenance {
   std::string program_version;
-  std::string commit;    ///< git commit of the source tree, with "+changes" when it was not clean
-  std::string build;     ///< build type, compiler and flags
-  std::string created;   ///< UTC, ISO 8601
-  std::string mutation;  ///< planted fault; empty in every honest run
+  std::string commit;         ///< git commit of the source tree, with "+changes" when it was not clean
+  std::string build;          ///< build type, compiler and flags
+  std::string created;        ///< UTC, ISO 8601
+  std::string planted_fault;  ///< empty in every honest run
 };
 
 /// The particles at one instant: position[particle][axis], row major, and the columns that the method keeps

@@ -84,7 +84,7 @@ void expect_same(const Provenance& one, const Provenance& other) {
   EXPECT_EQ(one.commit, other.commit);
   EXPECT_EQ(one.build, other.build);
   EXPECT_EQ(one.created, other.created);
-  EXPECT_EQ(one.mutation, other.mutation);
+  EXPECT_EQ(one.planted_fault, other.planted_fault);
 }
 
 void expect_same(const Record& one, const Record& other) {

@@ -40,7 +40,7 @@ class Stopwatch {
 Record empty_record(const Scene& scene, const RunOptions& options) {
   Record record;
   record.provenance = current_provenance();
-  record.provenance.mutation = options.mutation.name;
+  record.provenance.planted_fault = options.planted_fault;
   record.dimension = scene.domain.dimension;
   record.box_size = scene.domain.size;
   for (const auto& sides : scene.domain.sides)
@@ -54,7 +54,7 @@ class Runner {
  public:
   Runner(const Scene& scene, const RunOptions& options, Record record)
       : options_(options),
-        setup_(set_up<D>(scene, options.mutation)),
+        setup_(set_up<D>(scene, options.planted_fault)),
         scene_(setup_.scene),
         record_(std::move(record)),
         watch_(record_.timings),

@@ -12,10 +12,6 @@
 
 namespace sandglass {
 
-/// The fault that a run is planted with, one of planted_faults() of its family; an empty name is the honest program.
-struct Mutation {
-  std::string name;
-};
 /// The faults that the methods of a family can be planted with. Throws InputError for a family that is not known.
 const std::vector<PlantedFault>& planted_faults(const std::string& family);
 /// Those of all families, each name once.
@@ -30,8 +26,8 @@ struct Progress {
 };
 
 struct RunOptions {
-  Mutation mutation;
-  std::string checkpoint_path;                    ///< empty: no checkpoints
+  std::string planted_fault;    ///< one of planted_faults() of the family; empty: the honest program
+  std::string checkpoint_path;  ///< empty: no checkpoints
   std::function<void(const Progress&)> progress;  ///< called a few times a second at most; may be empty
   const std::atomic<bool>* stop = nullptr;  ///< set by a signal: write a checkpoint, then throw Interrupted
 };

@@ -221,9 +221,9 @@ TEST(Run, RefusesAPlaneNormalToWalls) {
   EXPECT_THROW(run_scene(scene), InputError);
 }
 
-TEST(Run, UnknownMutationNamesTheNearest) {
+TEST(Run, UnknownPlantedFaultNamesTheNearest) {
   RunOptions options;
-  options.mutation.name = "offset-droped";
+  options.planted_fault = "offset-droped";
   try {
     run_scene(gas(), options);
     FAIL();
@@ -271,9 +271,9 @@ Scene beam() {
 
 double change_of_energy(const Scene& scene, const std::string& fault) {
   RunOptions options;
-  options.mutation.name = fault;
+  options.planted_fault = fault;
   const Record changed = run_scene(scene, options), honest = run_scene(scene);
-  EXPECT_EQ(changed.provenance.mutation, fault);
+  EXPECT_EQ(changed.provenance.planted_fault, fault);
   return changed.replicas[0].series.front().value != honest.replicas[0].series.front().value;
 }
 
@@ -297,7 +297,7 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
 
 TEST(Run, AFaultOfAnotherFamilyIsRefused) {
   RunOptions options;
-  options.mutation.name = "stale-partners";
+  options.planted_fault = "stale-partners";
   EXPECT_THROW(run_scene(gas(), options), InputError);
 }
 

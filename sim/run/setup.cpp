@@ -56,15 +56,15 @@ Needs needs_of(const std::vector<ObserverSpec>& observers) {
 }
 
 template <int D>
-Setup<D> set_up(const Scene& scene, const Mutation& mutation) {
+Setup<D> set_up(const Scene& scene, const std::string& planted_fault) {
   Setup<D> setup{scene,
                  {},
                  nullptr,
                  capabilities(scene).particles ? particle_count(scene) : 0,
-                 with_boundary_fault(scene, mutation.name).sources};
+                 with_boundary_fault(scene, planted_fault).sources};
   choose_ranges(setup.scene);
   for (const Observe& observe : setup.scene.observe) setup.observers.push_back(spec_of(setup.scene, observe));
-  setup.method = make_builder<D>({setup.scene, needs_of(setup.observers), mutation.name});
+  setup.method = make_builder<D>({setup.scene, needs_of(setup.observers), planted_fault});
   setup.method->record_choices(setup.scene);
   return setup;
 }
@@ -76,7 +76,7 @@ std::vector<Plane> make_planes(const std::vector<ObserverSpec>& observers) {
   return planes;
 }
 
-template Setup<2> set_up<2>(const Scene&, const Mutation&);
-template Setup<3> set_up<3>(const Scene&, const Mutation&);
+template Setup<2> set_up<2>(const Scene&, const std::string&);
+template Setup<3> set_up<3>(const Scene&, const std::string&);
 
 }  // namespace sandglass

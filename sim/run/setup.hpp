@@ -20,7 +20,7 @@ struct Setup {
 
 /// Throws InputError for a combination that the method cannot do.
 template <int D>
-Setup<D> set_up(const Scene& scene, const Mutation& mutation);
+Setup<D> set_up(const Scene& scene, const std::string& planted_fault);
 
 /// What all observers together need.
 Needs needs_of(const std::vector<ObserverSpec>& observers);

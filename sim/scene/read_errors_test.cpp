@@ -29,11 +29,11 @@ every = { steps = 2 }
 record = "x.h5"
 )";
 
-class ReadFaults : public testing::TestWithParam<Fault> {};
+class ReadErrors : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(ReadFaults, IsRefusedWithPlaceAndRemedy) { expect_fault(good, GetParam()); }
+TEST_P(ReadErrors, IsRefusedWithPlaceAndRemedy) { expect_refused(good, GetParam()); }
 
-const std::vector<Fault> unknown_keys = {
+const std::vector<BadEdit> unknown_keys = {
     {"top", "[output]", "[outptu]", "23:2", {"unknown key 'outptu'", "did you mean 'output'?", "'initial'"}},
     {"run", "seed = 1", "sead = 1", "3:1", {"unknown key 'run.sead'", "did you mean 'seed'?"}},
     {"duration",
@@ -66,7 +66,7 @@ const std::vector<Fault> unknown_keys = {
     {"nothing_near", "seed = 1", "colour = 1", "3:1", {"unknown key 'run.colour'; allowed: 'seed'"}},
 };
 
-const std::vector<Fault> words = {
+const std::vector<BadEdit> words = {
     {"preset",
      "\"cba\"",
      "\"csba\"",
@@ -90,7 +90,7 @@ const std::vector<Fault> words = {
     {"axis", "what = \"vel", "axis = 'w'\nwhat = \"vel", "21:8", {"unknown axis 'w'", "'x', 'y' or 'z'"}},
 };
 
-const std::vector<Fault> types = {
+const std::vector<BadEdit> types = {
     {"text_for_number",
      "restitution = 0.9",
      "restitution = '0.9'",
@@ -118,7 +118,7 @@ const std::vector<Fault> types = {
     {"huge_integer", "seed = 1", "seed = 9223372036854775808", "3:27", {"not valid TOML"}},
 };
 
-const std::vector<Fault> combinations = {
+const std::vector<BadEdit> combinations = {
     {"no_time_step",
      "time-step = 0.1\n",
      "",
@@ -149,12 +149,12 @@ const std::vector<Fault> combinations = {
     {"syntax", "seed = 1", "seed = = 1", "3:8", {"not valid TOML"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(UnknownKey, ReadFaults, testing::ValuesIn(unknown_keys), fault_name);
-INSTANTIATE_TEST_SUITE_P(Word, ReadFaults, testing::ValuesIn(words), fault_name);
-INSTANTIATE_TEST_SUITE_P(Type, ReadFaults, testing::ValuesIn(types), fault_name);
-INSTANTIATE_TEST_SUITE_P(Combination, ReadFaults, testing::ValuesIn(combinations), fault_name);
+INSTANTIATE_TEST_SUITE_P(UnknownKey, ReadErrors, testing::ValuesIn(unknown_keys), edit_name);
+INSTANTIATE_TEST_SUITE_P(Word, ReadErrors, testing::ValuesIn(words), edit_name);
+INSTANTIATE_TEST_SUITE_P(Type, ReadErrors, testing::ValuesIn(types), edit_name);
+INSTANTIATE_TEST_SUITE_P(Combination, ReadErrors, testing::ValuesIn(combinations), edit_name);
 
-TEST(FaultsTogether, AnEmptySceneIsRefused) {
+TEST(ErrorsTogether, AnEmptySceneIsRefused) {
   for (const std::string text : {"", "\n", "# only a comment\n"}) try {
       read_scene_text(text, "scene.toml");
       FAIL() << "accepted";
@@ -163,10 +163,10 @@ TEST(FaultsTogether, AnEmptySceneIsRefused) {
     }
 }
 
-TEST(FaultsTogether, EveryFaultIsShownAtOnceInTheOrderOfTheText) {
+TEST(ErrorsTogether, EveryErrorIsShownAtOnceInTheOrderOfTheText) {
   std::string text = good;
-  for (const Fault& fault : {unknown_keys[4], unknown_keys[5], words[0], unknown_keys[12], types[15]})
-    text = spoiled(text, fault);
+  for (const BadEdit& edit : {unknown_keys[4], unknown_keys[5], words[0], unknown_keys[12], types[15]})
+    text = spoiled(text, edit);
   try {
     read_scene_text(text, "scene.toml");
     FAIL() << "accepted";
@@ -177,7 +177,7 @@ TEST(FaultsTogether, EveryFaultIsShownAtOnceInTheOrderOfTheText) {
   }
 }
 
-TEST(FaultsTogether, EveryMissingTableIsNamed) {
+TEST(ErrorsTogether, EveryMissingTableIsNamed) {
   try {
     read_scene_text("title = 'x'", "scene.toml");
     FAIL() << "accepted";

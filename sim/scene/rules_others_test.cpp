@@ -22,11 +22,11 @@ what = "energy"
 ids = false
 )";
 
-class OtherMethods : public testing::TestWithParam<Fault> {};
+class OtherMethods : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(OtherMethods, RefuseWhatOnlyTheEventDrivenOneCanDo) { expect_fault(good, GetParam()); }
+TEST_P(OtherMethods, RefuseWhatOnlyTheEventDrivenOneCanDo) { expect_refused(good, GetParam()); }
 
-const std::vector<Fault> other_faults = {
+const std::vector<BadEdit> other_edits = {
     {"guard",
      "time-step",
      "collapse-guard = \"none\"\ntime-step",
@@ -119,21 +119,21 @@ const std::vector<Fault> other_faults = {
      {"'particle' is used with positions = \"given\" in [initial] only"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Other, OtherMethods, testing::ValuesIn(other_faults), fault_name);
+INSTANTIATE_TEST_SUITE_P(Other, OtherMethods, testing::ValuesIn(other_edits), edit_name);
 
 TEST(OtherMethodsTogether, LatticesKnowNoObstacles) {
   const std::string text = spoiled(good, {"", "exact = true", "positions = \"lattice\"", "", {}});
-  expect_fault(text,
-               {"", "", "[[obstacle]]\ncentre = [5, 5]\nradius = 1", "13:13", {"inside the obstacles"}});
+  expect_refused(text,
+                 {"", "", "[[obstacle]]\ncentre = [5, 5]\nradius = 1", "13:13", {"inside the obstacles"}});
 }
 
 TEST(OtherMethodsTogether, ObserversOfStructureNeedTheirKeys) {
   const std::string text = spoiled(good, {"", "sides.y = \"specular\"\n", "", "", {}});
-  expect_fault(text, {"", "\"energy\"", "\"pair-correlation\"", "13:1", {"missing 'observe.range'"}});
-  expect_fault(text, {"", "\"energy\"", "\"structure-factor\"", "13:1", {"missing 'observe.grid'"}});
-  expect_fault(text, {"", "\"energy\"", "\"pair-velocity\"", "13:1", {"missing 'observe.range'"}});
-  expect_fault(text,
-               {"", "\"energy\"", "\"centre-of-mass\"", "14:8", {"needs an axis that is not periodic"}});
+  expect_refused(text, {"", "\"energy\"", "\"pair-correlation\"", "13:1", {"missing 'observe.range'"}});
+  expect_refused(text, {"", "\"energy\"", "\"structure-factor\"", "13:1", {"missing 'observe.grid'"}});
+  expect_refused(text, {"", "\"energy\"", "\"pair-velocity\"", "13:1", {"missing 'observe.range'"}});
+  expect_refused(text,
+                 {"", "\"energy\"", "\"centre-of-mass\"", "14:8", {"needs an axis that is not periodic"}});
 }
 
 }  // namespace

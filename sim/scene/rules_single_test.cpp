@@ -22,29 +22,29 @@ what = "energy"
 )";
 
 TEST(EventDrivenAlone, ASingleParticleNeedsWalls) {
-  expect_fault(ball, {"", "count = 1", "count = 0", "8:9", {"gives 0 particles; at least 1 is needed"}});
-  expect_fault(ball,
-               {"", "sides.y = \"specular\"\n", "", "7:9", {"gives 1 particle; at least 2 are needed"}});
+  expect_refused(ball, {"", "count = 1", "count = 0", "8:9", {"gives 0 particles; at least 1 is needed"}});
+  expect_refused(ball,
+                 {"", "sides.y = \"specular\"\n", "", "7:9", {"gives 1 particle; at least 2 are needed"}});
 }
 
 TEST(EventDrivenAlone, ASingleParticleMeetsNoOther) {
-  const std::string reason = "cannot serve a single particle, which meets no other: use a time or steps";
-  expect_fault(ball, {"", "time = 10.0", "collisions-per-particle = 5", "2:12", {reason}});
-  expect_fault(ball, {"", "= 0.1", "= { collisions-per-particle = 0.1 }", "11:13", {reason}});
-  expect_fault(ball, {"", "", "every = { collisions-per-particle = 1 }", "17:9", {reason}});
+  const std::string reason = "cannot serve a single particle, which collides with none: use a time or steps";
+  expect_refused(ball, {"", "time = 10.0", "collisions-per-particle = 5", "2:12", {reason}});
+  expect_refused(ball, {"", "= 0.1", "= { collisions-per-particle = 0.1 }", "11:13", {reason}});
+  expect_refused(ball, {"", "", "every = { collisions-per-particle = 1 }", "17:9", {reason}});
 }
 
 TEST(EventDrivenAlone, ASingleParticleHasNoTemperatureAboutItsMean) {
-  expect_fault(ball, {"", "exact = false", "exact = true", "14:9", {"whose mean velocity is its own"}});
+  expect_refused(ball, {"", "exact = false", "exact = true", "14:9", {"whose mean velocity is its own"}});
 }
 
 TEST(EventDrivenAlone, AWalledAxisIsWiderThanAParticle) {
   EXPECT_NO_THROW(read_scene_text(spoiled(ball, {"", "20.0]", "1.01]", "", {}}), ""));
-  expect_fault(ball, {"", "20.0]", "1.0]", "5:14", {"a walled axis must be more than 1 long"}});
+  expect_refused(ball, {"", "20.0]", "1.0]", "5:14", {"a walled axis must be more than 1 long"}});
 }
 
 TEST(EventDrivenAlone, APeriodicAxisHoldsFourParticles) {
-  expect_fault(ball, {"", "[4.0", "[3.9", "5:9", {"a periodic axis must be at least 4 long, 4 times the"}});
+  expect_refused(ball, {"", "[4.0", "[3.9", "5:9", {"a periodic axis must be at least 4 long, 4 times the"}});
 }
 
 TEST(EventDrivenAlone, ManySpeciesHaveALimit) {

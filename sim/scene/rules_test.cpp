@@ -41,11 +41,11 @@ what = "fields"
 grid = [1, 10]
 )";
 
-class Rules : public testing::TestWithParam<Fault> {};
+class Rules : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(Rules, IsRefusedWithPlaceAndReason) { expect_fault(good, GetParam()); }
+TEST_P(Rules, IsRefusedWithPlaceAndReason) { expect_refused(good, GetParam()); }
 
-const std::vector<Fault> run_and_domain = {
+const std::vector<BadEdit> run_and_domain = {
     {"no_replicas", "replicas = 2", "replicas = 0", "4:12", {"'run.replicas' is 0; allowed: 1 to 1000000"}},
     {"no_duration", "= 10.0 }", "= 0 }", "5:40", {"is 0; allowed: above 0"}},
     {"no_steps", "collisions-per-particle = 10.0", "steps = 0", "5:22", {"'run.duration.steps' is 0"}},
@@ -64,7 +64,7 @@ const std::vector<Fault> run_and_domain = {
      {"periodic axis x", "x = \"specular\""}},
 };
 
-const std::vector<Fault> species = {
+const std::vector<BadEdit> species = {
     {"name", "\"bead\"", "\"a bead\"", "12:8", {"'species.name' must be a word"}},
     {"restitution_above_1", "0.9", "1.2", "16:15", {"'species.restitution' is 1.2; allowed: 0 to 1"}},
     {"restitution_below_0", "0.9", "-0.1", "16:15", {"is -0.1; allowed: 0 to 1"}},
@@ -90,7 +90,7 @@ const std::vector<Fault> species = {
     {"two_species", "[method]", "[[species]]\ncount = 3\n[method]", "17:1", {"more than one species"}},
 };
 
-const std::vector<Fault> method = {
+const std::vector<BadEdit> method = {
     {"time_step",
      "time-step = { collisions-per-particle = 0.1 }",
      "time-step = 0",
@@ -111,7 +111,7 @@ const std::vector<Fault> method = {
     {"small_cells", "cells = [5, 10]", "cell-size = 1e-9", "19:13", {"gives 2e+20 cells; at most"}},
 };
 
-const std::vector<Fault> initial = {
+const std::vector<BadEdit> initial = {
     {"temperature", "temperature = 1.0", "temperature = 0", "26:15", {"'initial.temperature' is 0"}},
     {"velocity", "velocity = [0.0, 0.0]", "velocity = [0.0]", "27:12", {"has 1 component, but"}},
     {"equilibrate",
@@ -122,7 +122,7 @@ const std::vector<Fault> initial = {
     {"shear_wave", "temperature", "shear-wave = { amplitude = 1 }\ntemperature", "26:14", {"along x and y"}},
 };
 
-const std::vector<Fault> observe = {
+const std::vector<BadEdit> observe = {
     {"axis", "position =", "axis = 'z'\nposition =", "31:8", {"'observe.axis' must be 'x' or 'y'"}},
     {"walled", "position =", "axis = 'y'\nposition =", "31:8", {"normal to a periodic axis; y has walls"}},
     {"plane", "position = 5.0", "position = 10.0", "31:12", {"is 10, outside the domain", "below 10"}},
@@ -136,34 +136,34 @@ const std::vector<Fault> observe = {
     {"twice", "", "[[observe]]\nwhat = 'fields'\ngrid = [2, 2]", "37:1", {"'fields' is given twice"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(RunAndDomain, Rules, testing::ValuesIn(run_and_domain), fault_name);
-INSTANTIATE_TEST_SUITE_P(Species, Rules, testing::ValuesIn(species), fault_name);
-INSTANTIATE_TEST_SUITE_P(Method, Rules, testing::ValuesIn(method), fault_name);
-INSTANTIATE_TEST_SUITE_P(Initial, Rules, testing::ValuesIn(initial), fault_name);
-INSTANTIATE_TEST_SUITE_P(Observe, Rules, testing::ValuesIn(observe), fault_name);
+INSTANTIATE_TEST_SUITE_P(RunAndDomain, Rules, testing::ValuesIn(run_and_domain), edit_name);
+INSTANTIATE_TEST_SUITE_P(Species, Rules, testing::ValuesIn(species), edit_name);
+INSTANTIATE_TEST_SUITE_P(Method, Rules, testing::ValuesIn(method), edit_name);
+INSTANTIATE_TEST_SUITE_P(Initial, Rules, testing::ValuesIn(initial), edit_name);
+INSTANTIATE_TEST_SUITE_P(Observe, Rules, testing::ValuesIn(observe), edit_name);
 
 /// The good scene with edits that it must bear.
-std::string edited(const std::vector<Fault>& edits) {
+std::string edited(const std::vector<BadEdit>& edits) {
   std::string text = good;
-  for (const Fault& edit : edits) text = spoiled(text, edit);
+  for (const BadEdit& edit : edits) text = spoiled(text, edit);
   return text;
 }
 
 TEST(RulesTogether, TheCorrectedOffsetNeedsRestitution) {
   const std::string text = edited({{"", "\"cba\"", "\"cba-corrected\"", "", {}}});
-  expect_fault(text, {"", "= 0.9", "= 0.09", "16:15", {"at least 0.1", "d (1 + r) / (2 r)"}});
+  expect_refused(text, {"", "= 0.9", "= 0.09", "16:15", {"at least 0.1", "d (1 + r) / (2 r)"}});
 }
 
 TEST(RulesTogether, DiluteMethodsMayGoBeyondRandomClosePacking) {
-  const Fault dense{"", "area-fraction = 0.2", "area-fraction = 0.85", "", {}};
+  const BadEdit dense{"", "area-fraction = 0.2", "area-fraction = 0.85", "", {}};
   EXPECT_NO_THROW(read_scene_text(edited({dense, {"", "\"cba\"", "\"dsmc\"", "", {}}}), ""));
 }
 
 TEST(RulesTogether, RandomInsertionHasALimit) {
   const std::string text = edited({{"", "\"random\"", "\"random-without-overlap\"", "", {}}});
-  expect_fault(text,
-               {"", "area-fraction = 0.2", "area-fraction = 0.55", "25:13", {"0.5 at most", "\"lattice\""}});
-  expect_fault(text, {"", "weight = 1.0", "weight = 2.0", "25:13", {"needs method.weight = 1"}});
+  expect_refused(
+      text, {"", "area-fraction = 0.2", "area-fraction = 0.55", "25:13", {"0.5 at most", "\"lattice\""}});
+  expect_refused(text, {"", "weight = 1.0", "weight = 2.0", "25:13", {"needs method.weight = 1"}});
 }
 
 TEST(RulesTogether, HistogramsMayDifferInTheirAxis) {

@@ -14,7 +14,7 @@
 
 namespace sandglass {
 
-struct Fault {
+struct BadEdit {
   std::string name;
   std::string find;  ///< occurs once in the good scene; empty: the edit stands at its end
   std::string replace;
@@ -22,30 +22,30 @@ struct Fault {
   std::vector<std::string> words;  ///< all in its message
 };
 
-inline void PrintTo(const Fault& fault, std::ostream* stream) { *stream << fault.name; }
+inline void PrintTo(const BadEdit& edit, std::ostream* stream) { *stream << edit.name; }
 
-inline std::string spoiled(std::string text, const Fault& fault) {
-  if (fault.find.empty()) return text + fault.replace;
-  const std::size_t at = text.find(fault.find);
-  EXPECT_NE(at, std::string::npos) << "the good scene lacks " << fault.find;
-  EXPECT_EQ(text.find(fault.find, at + 1), std::string::npos) << "the good scene has twice " << fault.find;
-  return text.replace(at, fault.find.size(), fault.replace);
+inline std::string spoiled(std::string text, const BadEdit& edit) {
+  if (edit.find.empty()) return text + edit.replace;
+  const std::size_t at = text.find(edit.find);
+  EXPECT_NE(at, std::string::npos) << "the good scene lacks " << edit.find;
+  EXPECT_EQ(text.find(edit.find, at + 1), std::string::npos) << "the good scene has twice " << edit.find;
+  return text.replace(at, edit.find.size(), edit.replace);
 }
 
 /// Exactly one error, at its place, with its words: an error neither hides nor brings others along.
-inline void expect_fault(const std::string& good, const Fault& fault) {
+inline void expect_refused(const std::string& good, const BadEdit& edit) {
   ASSERT_NO_THROW(read_scene_text(good, "scene.toml"));
-  const std::string text = spoiled(good, fault);
+  const std::string text = spoiled(good, edit);
   try {
     read_scene_text(text, "scene.toml");
     FAIL() << "accepted:\n" << text;
   } catch (const InputError& error) {
     ASSERT_EQ(error.diagnostics().size(), 1U) << error.what();
-    EXPECT_THAT(error.what(), testing::StartsWith("scene.toml:" + fault.place + ": error: "));
-    for (const std::string& word : fault.words) EXPECT_THAT(error.what(), testing::HasSubstr(word));
+    EXPECT_THAT(error.what(), testing::StartsWith("scene.toml:" + edit.place + ": error: "));
+    for (const std::string& word : edit.words) EXPECT_THAT(error.what(), testing::HasSubstr(word));
   }
 }
 
-inline std::string fault_name(const testing::TestParamInfo<Fault>& info) { return info.param.name; }
+inline std::string edit_name(const testing::TestParamInfo<BadEdit>& info) { return info.param.name; }
 
 }  // namespace sandglass

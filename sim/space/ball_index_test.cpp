@@ -89,19 +89,22 @@ std::vector<Ball<D>> lattice(int edge, double radius) {
   return balls;
 }
 
-/// As many balls again cost as much memory again, also with one among them that covers all others.
+/// As many balls again cost as much memory again, also with one among them that covers all others. The cells stay as large
+/// as they were and their lists as long: a look costs what is near.
 template <int D>
 void expect_linear_memory(int edge) {
   for (const bool giant : {false, true}) {
-    double per_ball[2];
+    double per_ball[2], edge_of_cell[2];
     for (const int factor : {1, 2}) {
       std::vector<Ball<D>> balls = lattice<D>(factor * edge, 0.4);
       if (giant) balls.front().radius = 2 * factor * edge;
       const BallIndex<D> index(balls);
       per_ball[factor - 1] = static_cast<double>(index.bytes()) / static_cast<double>(balls.size());
+      edge_of_cell[factor - 1] = index.cell_edge();
     }
     EXPECT_LT(per_ball[1], 1.3 * per_ball[0]);
     EXPECT_LT(per_ball[1], 350);
+    EXPECT_LT(edge_of_cell[1], 1.1 * edge_of_cell[0]);
   }
 }
 

@@ -26,7 +26,7 @@ Vector<D> random_point(Random& random) {
   return point;
 }
 
-/// The velocity tells the particle: id, and id squared.
+/// The velocity names the particle: id, and id squared.
 template <int D>
 Vector<D> mark(std::uint64_t id) {
   Vector<D> velocity = Vector<D>::Zero();

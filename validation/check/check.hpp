@@ -10,7 +10,7 @@
 
 namespace sandglass {
 
-/// What a case tells a check: its own numbers, and the part of the budget that only the case can know.
+/// What a case gives a check: its own numbers, and the part of the budget that only the case can know.
 struct Settings {
   law::Arguments numbers;  ///< by the names in CheckInfo::parameters; absent ones take their fallback
   double systematic = 0;   ///< added to the check's own systematic part; a fraction when CheckInfo::relative

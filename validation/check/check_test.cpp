@@ -56,10 +56,10 @@ TEST(Registry, FindsWhatARecordCanBeHeldAgainst) {
 TEST(RunCheck, AddsTheBudgetOfTheCase) {
   const CheckInfo& check = find_check("momentum-conservation");
   const Evidence bare = run_check(check, small_record(), {});
-  const Evidence told = run_check(check, small_record(), {{}, 0.5, 0.25, "told so"});
-  EXPECT_DOUBLE_EQ(told.budget.systematic, bare.budget.systematic + 0.5);
-  EXPECT_DOUBLE_EQ(told.budget.resolution, 0.25);
-  EXPECT_NE(told.budget.reason.find("told so"), std::string::npos);
+  const Evidence given = run_check(check, small_record(), {{}, 0.5, 0.25, "given so"});
+  EXPECT_DOUBLE_EQ(given.budget.systematic, bare.budget.systematic + 0.5);
+  EXPECT_DOUBLE_EQ(given.budget.resolution, 0.25);
+  EXPECT_NE(given.budget.reason.find("given so"), std::string::npos);
 }
 
 TEST(RunCheck, RefusesUnknownNumbersAndMissingSeries) {

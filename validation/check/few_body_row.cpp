@@ -34,14 +34,14 @@ law::RowResult three_of(const Scene& scene) {
 /// Three, of which the left two collide first, and whose collisions come to an end.
 bool is_three_in_a_row(const Scene& scene) {
   if (!is_row(scene) || scene.given.size() != 3) return false;
-  const auto meeting = [&scene](std::size_t left) {
+  const auto contact = [&scene](std::size_t left) {
     const GivenParticle &a = scene.given[left], &b = scene.given[left + 1];
     const double gap = b.position[0] - a.position[0] -
                        (scene.species[a.species].diameter + scene.species[b.species].diameter) / 2;
     const double approach = a.velocity[0] - b.velocity[0];
     return approach > 0 ? gap / approach : HUGE_VAL;
   };
-  return meeting(0) < meeting(1) && std::isfinite(three_of(scene).collisions);
+  return contact(0) < contact(1) && std::isfinite(three_of(scene).collisions);
 }
 
 Evidence three_body_collisions(const Subject& subject, const law::Arguments&) {

@@ -11,16 +11,16 @@
 namespace sandglass::law {
 
 namespace {
-using Faults = std::vector<Diagnostic>;
+using Errors = std::vector<Diagnostic>;
 
-void blame(Faults& faults, std::string message) { faults.push_back({"", 0, 0, std::move(message)}); }
+void blame(Errors& errors, std::string message) { errors.push_back({"", 0, 0, std::move(message)}); }
 
-void check_names(const Law& law, const Arguments& arguments, Faults& faults) {
+void check_names(const Law& law, const Arguments& arguments, Errors& errors) {
   std::vector<std::string> allowed;
   for (const Parameter& parameter : law.parameters) allowed.push_back(parameter.name);
   for (const auto& [name, value] : arguments)
     if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
-      blame(faults, unknown_word(fmt::format("argument of law '{}'", law.name), name, allowed));
+      blame(errors, unknown_word(fmt::format("argument of law '{}'", law.name), name, allowed));
 }
 
 /// Space dimension if it is given and sound, else 0: then nothing is said about arguments that hang on it.
@@ -35,23 +35,23 @@ bool allowed_value(const Parameter& parameter, double value) {
          (parameter.step == 0 || std::fmod(value, parameter.step) == 0);
 }
 
-void check_given(const Parameter& parameter, double value, int dimension, Faults& faults) {
+void check_given(const Parameter& parameter, double value, int dimension, Errors& errors) {
   if (parameter.dimension != 0 && dimension != 0 && parameter.dimension != dimension) {
-    blame(faults, fmt::format("'{}' belongs to dimension={}; leave it out with dimension={}", parameter.name,
+    blame(errors, fmt::format("'{}' belongs to dimension={}; leave it out with dimension={}", parameter.name,
                               parameter.dimension, dimension));
   } else if (!allowed_value(parameter, value)) {
-    blame(faults,
+    blame(errors,
           fmt::format("{}={} is out of range; allowed: {}", parameter.name, value, range_text(parameter)));
   }
 }
 
 void fill_missing(const Law& law, const Parameter& parameter, int dimension, Arguments& full,
-                  Faults& faults) {
+                  Errors& errors) {
   if (parameter.dimension != 0 && parameter.dimension != dimension) return;
   if (parameter.fallback)
     full[parameter.name] = *parameter.fallback;
   else
-    blame(faults, fmt::format("law '{}' needs '{}' ({}); add {}=VALUE, allowed: {}", law.name, parameter.name,
+    blame(errors, fmt::format("law '{}' needs '{}' ({}); add {}=VALUE, allowed: {}", law.name, parameter.name,
                               parameter.summary, parameter.name, range_text(parameter)));
 }
 
@@ -73,18 +73,18 @@ std::string range_text(const Parameter& parameter) {
 }
 
 double evaluate(const Law& law, const Arguments& arguments) {
-  Faults faults;
-  check_names(law, arguments, faults);
+  Errors errors;
+  check_names(law, arguments, errors);
   Arguments full = arguments;
   const int dimension = given_dimension(arguments);
   for (const Parameter& parameter : law.parameters) {
     const auto found = arguments.find(parameter.name);
     if (found != arguments.end())
-      check_given(parameter, found->second, dimension, faults);
+      check_given(parameter, found->second, dimension, errors);
     else
-      fill_missing(law, parameter, dimension, full, faults);
+      fill_missing(law, parameter, dimension, full, errors);
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  if (!errors.empty()) throw InputError(std::move(errors));
   const double value = law.evaluate(full);
   if (!std::isfinite(value))
     throw InputError(fmt::format("law '{}' has no finite value at{}; it holds for {}", law.name, spell(full),

@@ -73,13 +73,13 @@ double time_to_touch(const Ball& first, const Ball& second) {
   return discriminant < 0 ? HUGE_VAL : gap / (closing + std::sqrt(discriminant));
 }
 
-struct Meeting {
+struct Contact {
   double delay = HUGE_VAL;
   std::size_t first = 0, second = 0;
 };
 
-Meeting next_meeting(const std::vector<Ball>& balls) {
-  Meeting next;
+Contact next_contact(const std::vector<Ball>& balls) {
+  Contact next;
   for (std::size_t i = 0; i < balls.size(); ++i)
     for (std::size_t j = i + 1; j < balls.size(); ++j)
       if (const double delay = time_to_touch(balls[i], balls[j]); delay < next.delay) next = {delay, i, j};
@@ -130,7 +130,7 @@ FewBodyResult few_body(std::vector<Ball> balls, const TouchOf& touch, double unt
   FewBodyResult result;
   double now = 0;
   for (;;) {
-    const Meeting next = next_meeting(balls);
+    const Contact next = next_contact(balls);
     const double flight = std::min(next.delay, until - now);
     for (Ball& ball : balls) ball.position += flight * ball.velocity;
     if (now + next.delay > until) break;

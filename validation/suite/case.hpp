@@ -103,7 +103,7 @@ struct Sweep {
 
 /// A planted fault and the check that must see it.
 struct Mutant {
-  std::string mutation, check, variant, point;
+  std::string fault, check, variant, point;
   law::Arguments numbers;  ///< in place of those of the check: where the source's own number is a known limit
   Override set;
 };

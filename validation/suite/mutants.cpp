@@ -9,9 +9,9 @@
 namespace sandglass {
 
 namespace {
-std::string summary_of(const std::string& mutation) {
+std::string summary_of(const std::string& fault) {
   for (const PlantedFault& info : planted_faults())
-    if (info.name == mutation) return info.summary;
+    if (info.name == fault) return info.summary;
   return "";
 }
 }  // namespace
@@ -26,9 +26,9 @@ Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mut
 
 MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confidence& confidence) {
   MutantResult result{
-      task.subject->name, mutant.mutation, summary_of(mutant.mutation), task.variant, task.point, {}, false};
+      task.subject->name, mutant.fault, summary_of(mutant.fault), task.variant, task.point, {}, false};
   RunOptions options;
-  options.mutation.name = mutant.mutation;
+  options.planted_fault = mutant.fault;
   CheckUse use = *task.checks.front();
   use.limits.clear();
   for (const auto& [name, value] : mutant.numbers) use.settings.numbers[name] = value;

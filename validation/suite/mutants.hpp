@@ -8,7 +8,7 @@
 namespace sandglass {
 
 struct MutantResult {
-  std::string case_name, mutation, summary;
+  std::string case_name, fault, summary;
   std::string variant, point;
   CheckOutcome check;
   bool caught = false;

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string faults_of(const SyntheticCase& files) {
+std::string errors_of(const SyntheticCase& files) {
   try {
     for (const std::string& tier : tier_names()) expand(read_case(files.folder().string()), tier, "");
   } catch (const InputError& error) {
@@ -35,30 +35,30 @@ TEST(ReadCase, ReadsWhatStandsThere) {
 }
 
 TEST(ReadCase, UnknownKeyHasItsPlaceAndTheNearestSpelling) {
-  EXPECT_THAT(faults_of(SyntheticCase("resolutoin = 0.5\n")),
+  EXPECT_THAT(errors_of(SyntheticCase("resolutoin = 0.5\n")),
               testing::AllOf(HasSubstr("case.toml:12:1"), HasSubstr("did you mean 'resolution'")));
 }
 
 TEST(ReadCase, NamesThatNameNothingAreRefusedAllAtOnce) {
-  const std::string faults =
-      faults_of(SyntheticCase("points = [\"on\"]\n[[mutant]]\nmutation = \"bound-halvd\"\ncheck = "
+  const std::string errors =
+      errors_of(SyntheticCase("points = [\"on\"]\n[[mutant]]\nmutation = \"bound-halvd\"\ncheck = "
                               "\"energy-conservation\"\nvariants = \"dsmc\"\n"
                               "points = \"one\"\n"));
-  EXPECT_THAT(faults, HasSubstr("unknown point 'on'"));
-  EXPECT_THAT(faults, HasSubstr("did you mean 'bound-halved'"));
+  EXPECT_THAT(errors, HasSubstr("unknown point 'on'"));
+  EXPECT_THAT(errors, HasSubstr("did you mean 'bound-halved'"));
 }
 
 TEST(ReadCase, UnknownCheckNumberIsRefused) {
-  EXPECT_THAT(faults_of(SyntheticCase("numbers = { settle = 3 }\n")), HasSubstr("'settle'"));
+  EXPECT_THAT(errors_of(SyntheticCase("numbers = { settle = 3 }\n")), HasSubstr("'settle'"));
 }
 
 TEST(ReadCase, MisspeltOverrideIsPlacedWhereItStands) {
-  const std::string faults = faults_of(SyntheticCase("", "set.species.restituton = 0.9"));
-  EXPECT_THAT(faults, testing::AllOf(HasSubstr("case.toml:7:"), HasSubstr("did you mean 'restitution'")));
+  const std::string errors = errors_of(SyntheticCase("", "set.species.restituton = 0.9"));
+  EXPECT_THAT(errors, testing::AllOf(HasSubstr("case.toml:7:"), HasSubstr("did you mean 'restitution'")));
 }
 
 TEST(ReadCase, OverrideOutOfRangeIsPlacedWhereItStands) {
-  EXPECT_THAT(faults_of(SyntheticCase("", "set.species = { restitution = 1.2 }")), HasSubstr("case.toml:7:"));
+  EXPECT_THAT(errors_of(SyntheticCase("", "set.species = { restitution = 1.2 }")), HasSubstr("case.toml:7:"));
 }
 
 TEST(ReadCase, EveryCommittedCaseCanRunInEveryTier) {

@@ -63,7 +63,8 @@ class MutantReader {
 
   void read_one(Table& table, const Node& node) {
     Diagnostics& diagnostics = *choices_.diagnostics;
-    const auto faults = read_choice(table, "mutation", "mutation", choices_of(planted_faults()), diagnostics);
+    const auto faults =
+        read_choice(table, "mutation", "planted fault", choices_of(planted_faults()), diagnostics);
     const auto checks = read_choice(table, "check", "check", choices_of(all_checks()), diagnostics);
     Selection where;
     choices_.read(table, where);
@@ -78,7 +79,7 @@ class MutantReader {
     if (!table.clean()) return;
     for (const std::string& fault : faults)
       for (const std::string& check : checks) {
-        mutant.mutation = fault;
+        mutant.fault = fault;
         mutant.check = check;
         add(table, mutant, where);
       }

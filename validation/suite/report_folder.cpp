@@ -94,7 +94,7 @@ void write_sweeps(const std::string& folder, const std::vector<SweepResult>& swe
 void write_mutants(const std::string& folder, const std::vector<MutantResult>& mutants) {
   Json json = Json::array();
   for (const MutantResult& mutant : mutants)
-    json.push_back({{"mutation", mutant.mutation},
+    json.push_back({{"mutation", mutant.fault},
                     {"summary", mutant.summary},
                     {"case", mutant.case_name},
                     {"variant", mutant.variant},

@@ -110,7 +110,7 @@ TEST(Dsmc, CollidesAtTheRateOfKineticTheory) {
 
 TEST(Dsmc, IdsTravelWithTheirParticles) {
   Parameters ghosts = gas(2);
-  ghosts.cross_section = 0;  // free flight: the velocity tells the particle
+  ghosts.cross_section = 0;  // free flight: the velocity names the particle
   Dsmc<2> dsmc = simulation<2>(ghosts, {column::id});
   const auto start = particles<2>();
   for (std::uint64_t step = 0; step < 30; ++step) dsmc.step(0.3, step);

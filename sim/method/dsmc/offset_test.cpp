@@ -13,7 +13,7 @@ constexpr double kRestitution = 0.8, kMass = 1.5;
 
 /// One pair that collided, seen from its first particle.
 template <int D>
-struct Encounter {
+struct Collided {
   Vector<D> relative;  ///< velocity before
   Vector<D> normal;    ///< direction of the momentum change
   Vector<D> shift_1, shift_2;
@@ -21,14 +21,14 @@ struct Encounter {
 };
 
 template <int D>
-struct Encounters {
-  std::vector<Encounter<D>> list;
+struct Collisions {
+  std::vector<Collided<D>> list;
   double transfer = 0;  ///< as the kernel counts it
 };
 
 /// Many cells of two particles with less than one candidate each.
 template <int D>
-Encounters<D> collide_pairs(const Offset& offset) {
+Collisions<D> collide_pairs(const Offset& offset) {
   Parameters parameters;
   parameters.restitution = kRestitution;
   parameters.mass = kMass;
@@ -38,25 +38,25 @@ Encounters<D> collide_pairs(const Offset& offset) {
   TestCells<D> cells;
   for (std::uint32_t pair = 0; pair < kPairs; ++pair) cells.add_cell(velocities);
   cells.collide(*make_collision_stage<D>(parameters), 0.9 / candidates_per_coefficient(velocities), 0);
-  Encounters<D> encounters;
-  encounters.transfer = cells.tally.transfer.value();
+  Collisions<D> collisions;
+  collisions.transfer = cells.tally.transfer.value();
   for (std::uint32_t pair = 0; pair < kPairs; ++pair) {
     const Phase<D>&one = cells.particles[2 * pair], &two = cells.particles[2 * pair + 1];
     if (one.velocity == velocities[0]) continue;
-    encounters.list.push_back({velocities[0] - velocities[1], (one.velocity - velocities[0]).normalized(),
+    collisions.list.push_back({velocities[0] - velocities[1], (one.velocity - velocities[0]).normalized(),
                                one.position, two.position,
                                kMass * (one.velocity.dot(one.position) + two.velocity.dot(two.position))});
   }
-  EXPECT_EQ(encounters.list.size(), cells.tally.collisions);
-  EXPECT_GT(encounters.list.size(), 10'000u);
-  return encounters;
+  EXPECT_EQ(collisions.list.size(), cells.tally.collisions);
+  EXPECT_GT(collisions.list.size(), 10'000u);
+  return collisions;
 }
 
 template <int D>
 void expect_consistent_offset() {
-  for (const Encounter<D>& encounter : collide_pairs<D>({0.7, 0}).list) {
-    EXPECT_LT((encounter.shift_1 - 0.7 * encounter.normal).norm(), 1e-13);
-    EXPECT_EQ(encounter.shift_2, -encounter.shift_1);
+  for (const Collided<D>& pair : collide_pairs<D>({0.7, 0}).list) {
+    EXPECT_LT((pair.shift_1 - 0.7 * pair.normal).norm(), 1e-13);
+    EXPECT_EQ(pair.shift_2, -pair.shift_1);
   }
 }
 
@@ -69,12 +69,12 @@ TEST(ConsistentOffset, IsALengthAlongTheMomentumChange) {
 template <int D>
 void expect_random_offset() {
   std::vector<std::vector<double>> parts(D + 1);
-  for (const Encounter<D>& encounter : collide_pairs<D>({0.7, 0.3}).list) {
-    const Vector<D> extra = encounter.shift_1 - 0.7 * encounter.normal;
+  for (const Collided<D>& pair : collide_pairs<D>({0.7, 0.3}).list) {
+    const Vector<D> extra = pair.shift_1 - 0.7 * pair.normal;
     EXPECT_NEAR(extra.norm(), 0.3, 1e-13);
-    EXPECT_EQ(encounter.shift_2, -encounter.shift_1);
+    EXPECT_EQ(pair.shift_2, -pair.shift_1);
     for (int axis = 0; axis < D; ++axis) parts[static_cast<std::size_t>(axis)].push_back(extra[axis]);
-    parts[D].push_back(extra.dot(encounter.normal));
+    parts[D].push_back(extra.dot(pair.normal));
   }
   for (const auto& part : parts) {
     const Mean mean = mean_of_independent(part);
@@ -90,13 +90,13 @@ TEST(RandomOffset, AddsALengthInAnyDirection) {
 
 template <int D>
 void expect_transfer(const Offset& offset) {
-  const Encounters<D> encounters = collide_pairs<D>(offset);
+  const Collisions<D> collisions = collide_pairs<D>(offset);
   double sum = 0, virial = 0;
-  for (const Encounter<D>& encounter : encounters.list) {
-    sum += encounter.transfer;
-    virial += kMass * offset.consistent * kRestitution * std::abs(encounter.relative.dot(encounter.normal));
+  for (const Collided<D>& pair : collisions.list) {
+    sum += pair.transfer;
+    virial += kMass * offset.consistent * kRestitution * std::abs(pair.relative.dot(pair.normal));
   }
-  EXPECT_NEAR(encounters.transfer / sum, 1, 1e-12);
+  EXPECT_NEAR(collisions.transfer / sum, 1, 1e-12);
   if (offset.random == 0) {
     EXPECT_NEAR(sum / virial, 1, 1e-12);
   }

@@ -25,9 +25,9 @@ TEST(Agents, AMovingWallGivesTwiceItsSpeed) {
   gas.add({5, 2}, {-1, 0});
   const auto engine = gas.make();
   engine->step(10, 0);
-  const double meeting = 4.5 / 1.25;
+  const double contact = 4.5 / 1.25;
   EXPECT_NEAR(engine->view().particles[0].velocity[0], 1.5, 1e-15);
-  EXPECT_NEAR(engine->view().particles[0].position[0], 5 - meeting + 1.5 * (10 - meeting), 1e-13);
+  EXPECT_NEAR(engine->view().particles[0].position[0], 5 - contact + 1.5 * (10 - contact), 1e-13);
 }
 
 /// On a plate that vibrates: every bounce happens where ball and plate are at one place, and gives r times the approach.

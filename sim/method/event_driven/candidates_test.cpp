@@ -43,22 +43,22 @@ template <int D>
 void check_columns() {
   std::vector<Particle<D>> particles(9);
   double number = 0;
-  for (Particle<D>& body : particles) {
+  for (Particle<D>& particle : particles) {
     for (int axis = 0; axis < D; ++axis) {
-      body.position[axis] = ++number;
-      body.velocity[axis] = ++number;
+      particle.position[axis] = ++number;
+      particle.velocity[axis] = ++number;
     }
-    body.time = ++number;
+    particle.time = ++number;
   }
   const std::array<std::uint32_t, 4> which{7, 2, 2, 5};
   const Columns<D> columns(particles.data(), which);
   for (std::size_t k = 0; k < 4; ++k) {
-    const Particle<D>& body = particles[which[k]];
+    const Particle<D>& particle = particles[which[k]];
     for (int axis = 0; axis < D; ++axis) {
-      EXPECT_EQ(columns.position(axis)[k], body.position[axis]);
-      EXPECT_EQ(columns.velocity(axis)[k], body.velocity[axis]);
+      EXPECT_EQ(columns.position(axis)[k], particle.position[axis]);
+      EXPECT_EQ(columns.velocity(axis)[k], particle.velocity[axis]);
     }
-    EXPECT_EQ(columns.time()[k], body.time);
+    EXPECT_EQ(columns.time()[k], particle.time);
   }
 }
 

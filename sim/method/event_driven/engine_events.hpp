@@ -148,13 +148,13 @@ void Engine<C>::collide_with_agent(std::uint32_t particle, std::uint32_t agent) 
 /// do meanwhile, and wherever, does not show.
 template <class C>
 bool Engine<C>::act(std::uint32_t agent, std::uint32_t particle, ParticleState<D>& present) {
-  Agent<D>& actor = *agents_[agent];
+  Agent<D>& acting = *agents_[agent];
   std::uint32_t& changes = gas_.particles[particle].changes;
   Random random;
-  if (actor.draws())
+  if (acting.draws())
     random = Random(StreamKey(streams_.seed, Purpose::walls, streams_.replica, identity(particle)), changes);
-  const bool changed = actor.act(present, progress_.clock(), random);
-  if (changed || actor.draws()) ++changes;  // no stream is used twice
+  const bool changed = acting.act(present, progress_.clock(), random);
+  if (changed || acting.draws()) ++changes;  // no stream is used twice
   return changed;
 }
 

@@ -26,8 +26,8 @@ class Builder final : public MethodBuilder<D> {
  public:
   explicit Builder(const BuildRequest& request)
       : scene_(request.scene),
-        told_(with_boundary_fault(scene_, request.fault)),
-        parameters_(parameters_of<D>(told_)) {
+        faulty_scene_(with_boundary_fault(scene_, request.fault)),
+        parameters_(parameters_of<D>(faulty_scene_)) {
     plant(planted_faults(), request.fault, parameters_);
     parameters_.measure_transfer = request.needs.transfer;
     parameters_.impact_bins = request.needs.impact_bins;
@@ -39,9 +39,9 @@ class Builder final : public MethodBuilder<D> {
                                       const Attachments<D>& attachments) const override {
     Parameters<D> parameters = parameters_;
     parameters.planes = attachments.planes;
-    return make_event_driven<D>(parameters,
-                                agents_of(told_, parameters_, attachments.planes, attachments.impulses),
-                                streams, attachments.trace);
+    return make_event_driven<D>(
+        parameters, agents_of(faulty_scene_, parameters_, attachments.planes, attachments.impulses), streams,
+        attachments.trace);
   }
 
   /// No loss, spin or gravity, and no fault planted into what particles do.
@@ -108,7 +108,7 @@ class Builder final : public MethodBuilder<D> {
   }
 
   Scene scene_;
-  Scene told_;  ///< the scene, with the planted fault of its boundaries if there is one
+  Scene faulty_scene_;  ///< the scene, with the planted fault of its boundaries if there is one
   Parameters<D> parameters_;
 };
 

@@ -11,7 +11,7 @@ void write_provenance(const hdf5::Writer& group, const Provenance& provenance) {
   group.attribute("commit", provenance.commit);
   group.attribute("build", provenance.build);
   group.attribute("created", provenance.created);
-  group.attribute("mutation", provenance.mutation);
+  group.attribute("mutation", provenance.planted_fault);
 }
 
 Provenance read_provenance(const hdf5::Reader& group) {

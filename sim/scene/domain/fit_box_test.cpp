@@ -42,16 +42,16 @@ TEST(FitBox, IsACubeUnlessToldOtherwise) {
 TEST(FitBox, ASizeLeavesNothingToFollow) {
   const std::string sized = spoiled(boxless, {"", "area-fraction = 0.25\n", "", "", {}});
   const std::string text = spoiled(sized, {"", "proportions = [2.0, 1.0]", "size = [90.0, 90.0]", "", {}});
-  expect_fault(text, {"", "", "[domain.sides]\nz = 'periodic'\n", "15:1", {"axes x and y"}});
-  expect_fault(text,
-               {"", "dimension = 2", "dimension = 2\nproportions = [1.0, 1.0]", "6:1", {"beside 'size'"}});
+  expect_refused(text, {"", "", "[domain.sides]\nz = 'periodic'\n", "15:1", {"axes x and y"}});
+  expect_refused(text,
+                 {"", "dimension = 2", "dimension = 2\nproportions = [1.0, 1.0]", "6:1", {"beside 'size'"}});
 }
 
-class FitBoxErrors : public testing::TestWithParam<Fault> {};
+class FitBoxErrors : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(FitBoxErrors, IsRefusedWithPlaceAndReason) { expect_fault(boxless, GetParam()); }
+TEST_P(FitBoxErrors, IsRefusedWithPlaceAndReason) { expect_refused(boxless, GetParam()); }
 
-const std::vector<Fault> errors = {
+const std::vector<BadEdit> errors = {
     {"no_fraction", "area-fraction = 0.25\n", "", "4:1", {"missing 'domain.size'", "'count' beside"}},
     {"no_count", "count = 400\n", "", "4:1", {"missing 'domain.size'"}},
     {"two_measures",
@@ -64,7 +64,7 @@ const std::vector<Fault> errors = {
     {"bad_fraction", "0.25", "-0.25", "9:17", {"'species.area-fraction' is -0.25"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Box, FitBoxErrors, testing::ValuesIn(errors), fault_name);
+INSTANTIATE_TEST_SUITE_P(Box, FitBoxErrors, testing::ValuesIn(errors), edit_name);
 
 }  // namespace
 }  // namespace sandglass

@@ -28,11 +28,11 @@ gravity = [0.0, -1.0]
 const std::string no_momentum = "gain momentum without bound";
 const std::string no_energy = "gain energy without bound";
 
-class EndlessFall : public testing::TestWithParam<Fault> {};
+class EndlessFall : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(EndlessFall, IsRefusedWithPlaceAndReason) { expect_fault(pipe, GetParam()); }
+TEST_P(EndlessFall, IsRefusedWithPlaceAndReason) { expect_refused(pipe, GetParam()); }
 
-const std::vector<Fault> errors = {
+const std::vector<BadEdit> errors = {
     {"smooth_walls",
      "rule = \"bounce-back\"\nprobability = 0.5\n",
      "",
@@ -56,7 +56,7 @@ const std::vector<Fault> errors = {
      {no_energy, "without collisions between particles use a wall"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Gravity, EndlessFall, testing::ValuesIn(errors), fault_name);
+INSTANTIATE_TEST_SUITE_P(Gravity, EndlessFall, testing::ValuesIn(errors), edit_name);
 
 TEST(EndlessFall, EndsAtWhateverTakesMomentumAndEnergy) {
   const auto accepted = [](const std::string& find, const std::string& replace) {

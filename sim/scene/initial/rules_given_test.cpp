@@ -40,11 +40,11 @@ velocity = [0.0, 1.0]
 species = "large"
 )";
 
-class Given : public testing::TestWithParam<Fault> {};
+class Given : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(Given, IsRefusedWithPlaceAndReason) { expect_fault(good, GetParam()); }
+TEST_P(Given, IsRefusedWithPlaceAndReason) { expect_refused(good, GetParam()); }
 
-const std::vector<Fault> given_faults = {
+const std::vector<BadEdit> given_edits = {
     {"temperature",
      "\"given\"",
      "\"given\"\ntemperature = 1.0",
@@ -108,7 +108,7 @@ const std::vector<Fault> given_faults = {
      {"'initial.equilibrate-collisions-per-particle' cannot be used"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Given, Given, testing::ValuesIn(given_faults), fault_name);
+INSTANTIATE_TEST_SUITE_P(Given, Given, testing::ValuesIn(given_edits), edit_name);
 
 TEST(GivenTogether, ReadsWhatItIsGiven) {
   const Scene scene = read_scene_text(good, "");
@@ -133,7 +133,7 @@ TEST(GivenTogether, ParticlesMayTouch) {
   }
 }
 
-TEST(GivenTogether, EachPairAndEachFaultIsNamed) {
+TEST(GivenTogether, EachPairAndEachErrorIsNamed) {
   Scene scene = read_scene_text(good, "");
   scene.given[1].position = scene.given[0].position;
   scene.given[2].position = scene.given[0].position;

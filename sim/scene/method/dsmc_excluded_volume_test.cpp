@@ -21,11 +21,11 @@ what = "energy"
 every = { time = 1.0 }
 )";
 
-class ExcludedVolumeScene : public testing::TestWithParam<Fault> {};
+class ExcludedVolumeScene : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(ExcludedVolumeScene, RefusesWhatCannotBe) { expect_fault(good, GetParam()); }
+TEST_P(ExcludedVolumeScene, RefusesWhatCannotBe) { expect_refused(good, GetParam()); }
 
-const std::vector<Fault> edits = {
+const std::vector<BadEdit> edits = {
     {"odd_cells", "cells = [4, 7]", "cells = [5, 7]", "11:9", {"5 along a periodic axis", "1 or even", "6"}},
     {"no_room",
      "cells = [4, 7]",
@@ -69,7 +69,7 @@ const std::vector<Fault> edits = {
     {"unused_coefficient", "cells =", "impact-coefficient = 0.3\ncells =", "11:1", {"impact = \"fitted\""}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Edits, ExcludedVolumeScene, testing::ValuesIn(edits), fault_name);
+INSTANTIATE_TEST_SUITE_P(Edits, ExcludedVolumeScene, testing::ValuesIn(edits), edit_name);
 
 /// What is written reads back as it was.
 TEST(ExcludedVolumeScene, KeepsItsKeysInTheRecord) {

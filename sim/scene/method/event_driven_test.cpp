@@ -4,11 +4,11 @@
 namespace sandglass {
 namespace {
 
-class EventDriven : public testing::TestWithParam<Fault> {};
+class EventDriven : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(EventDriven, IsRefusedWithPlaceAndReason) { expect_fault(kDrivenDisks, GetParam()); }
+TEST_P(EventDriven, IsRefusedWithPlaceAndReason) { expect_refused(kDrivenDisks, GetParam()); }
 
-const std::vector<Fault> method_faults = {
+const std::vector<BadEdit> method_edits = {
     {"contact_factor",
      "time-step",
      "contact-factor = \"none\"\ntime-step",
@@ -70,7 +70,7 @@ const std::vector<Fault> method_faults = {
     {"empty_trace", "\"events.csv\"", "\"\"", "42:15", {"'output.event-trace' is empty; name a file"}},
 };
 
-const std::vector<Fault> species_faults = {
+const std::vector<BadEdit> species_edits = {
     {"tangential_low",
      "tangential-restitution = 0.5",
      "tangential-restitution = -1.5",
@@ -115,8 +115,8 @@ const std::vector<Fault> species_faults = {
      {"gives 200000000000010 particles with the other species; at most 1"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Method, EventDriven, testing::ValuesIn(method_faults), fault_name);
-INSTANTIATE_TEST_SUITE_P(Species, EventDriven, testing::ValuesIn(species_faults), fault_name);
+INSTANTIATE_TEST_SUITE_P(Method, EventDriven, testing::ValuesIn(method_edits), edit_name);
+INSTANTIATE_TEST_SUITE_P(Species, EventDriven, testing::ValuesIn(species_edits), edit_name);
 
 TEST(EventDrivenTogether, ReadsWhatItIsGiven) {
   const Scene scene = read_scene_text(kDrivenDisks, "");
@@ -143,8 +143,8 @@ TEST(EventDrivenTogether, PairCorrelationReachesHalfTheShortestEdge) {
   std::string text = spoiled(kDrivenDisks, {"", walls, "", "", {}});
   text = spoiled(text, {"", "sides.y = \"specular\"\n", "", "", {}});
   text = spoiled(text, {"", "\"impact-parameter\"\nbins = 20", observer, "", {}});
-  expect_fault(text, {"", "[0.0, 5.0]", "[0.0, 5.1]", "26:9", {"from 0 to half the shortest edge, 5"}});
-  expect_fault(text, {"", "[0.0, 5.0]", "[-0.1, 5.0]", "26:9", {"goes from -0.1 to 5"}});
+  expect_refused(text, {"", "[0.0, 5.0]", "[0.0, 5.1]", "26:9", {"from 0 to half the shortest edge, 5"}});
+  expect_refused(text, {"", "[0.0, 5.0]", "[-0.1, 5.0]", "26:9", {"goes from -0.1 to 5"}});
 }
 
 }  // namespace

@@ -21,11 +21,11 @@ every = { steps = 5 }
 position = 5.0
 )";
 
-class Reservoir : public testing::TestWithParam<Fault> {};
+class Reservoir : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(Reservoir, HasNoUseForParticlesInABox) { expect_fault(good, GetParam()); }
+TEST_P(Reservoir, HasNoUseForParticlesInABox) { expect_refused(good, GetParam()); }
 
-const std::vector<Fault> faults = {
+const std::vector<BadEdit> edits = {
     {"count", "number-density = 1.0", "count = 100", "6:1", {"needs 'number-density'"}},
     {"walls",
      "size =",
@@ -86,7 +86,7 @@ const std::vector<Fault> faults = {
     {"checkpoint", "", "[output]\ncheckpoint = { steps = 1 }", "18:14", {"no state to keep"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Rules, Reservoir, testing::ValuesIn(faults), fault_name);
+INSTANTIATE_TEST_SUITE_P(Rules, Reservoir, testing::ValuesIn(edits), edit_name);
 
 TEST(ReservoirAlone, ReadsRecordsThatNameTheAbsenceOfCollisions) {
   const std::string old = "contact-factor = 'none'\ndensity = 'smoothed'\noffset = 'none'\n[initial]";

@@ -145,7 +145,7 @@ void check_single(const Scene& scene, Diagnostics& diagnostics) {
     diagnostics.report("initial.exact",
                        "'initial.exact' cannot serve a single particle, whose mean velocity is its own: use "
                        "exact = false or positions = \"given\"");
-  check_counts(scene, false, "cannot serve a single particle, which meets no other: use a time or steps",
+  check_counts(scene, false, "cannot serve a single particle, which collides with none: use a time or steps",
                diagnostics);
 }
 }  // namespace

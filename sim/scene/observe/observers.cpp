@@ -33,7 +33,7 @@ const std::vector<ObserverKind>& observer_kinds() {
       {{"moments", "even velocity moments to order 8, relative to the second"}, {}},
       {{"velocity-histogram", "histogram of one velocity component over all particles"},
        {"axis", "range", "bins"}},
-      {{"collisions", "collisions and tried pairs since time zero"}, {}},
+      {{"collisions", "collisions and candidates since time zero"}, {}},
       {{"pressure", "kinetic and collisional pressure"}, {}},
       {{"crossings", "normal velocities of the particles that cross a plane, and how many each way"},
        {"axis", "position", "range", "bins"},

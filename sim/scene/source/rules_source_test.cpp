@@ -47,11 +47,11 @@ TEST(Sources, AreReadAndWritten) {
   EXPECT_EQ(scene.domain.sides[1], (std::array{Side::specular, Side::open}));
 }
 
-class SourceErrors : public testing::TestWithParam<Fault> {};
+class SourceErrors : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(SourceErrors, AreRefusedWithPlaceAndReason) { expect_fault(good, GetParam()); }
+TEST_P(SourceErrors, AreRefusedWithPlaceAndReason) { expect_refused(good, GetParam()); }
 
-const std::vector<Fault> errors = {
+const std::vector<BadEdit> errors = {
     {"no_rate", "rate = 1.5\n", "", "15:1", {"missing 'source.rate'", "particles per time"}},
     {"rate", "rate = 1.5", "rate = 0.0", "16:8", {"'source.rate' is 0; allowed: above 0"}},
     {"flood", "rate = 1.5", "rate = 1e9", "16:8", {"pours 100000000 particles in one step", "at most"}},
@@ -111,7 +111,7 @@ const std::vector<Fault> errors = {
      {"starts without one: give it as a time"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Source, SourceErrors, testing::ValuesIn(errors), fault_name);
+INSTANTIATE_TEST_SUITE_P(Source, SourceErrors, testing::ValuesIn(errors), edit_name);
 
 const std::string hard = R"([run]
 duration = { time = 100.0 }
@@ -129,25 +129,25 @@ positions = "lattice"
 )";
 
 TEST(Sources, NeedAMethodWhoseNumberMayChange) {
-  expect_fault(hard, {"",
-                      "",
-                      "[[source]]\nrate = 1\ncentre = [1, 1]\n",
-                      "14:1",
-                      {"'source' cannot be used with the method 'event-driven', only with", "'dsmc'"}});
-  expect_fault(hard, {"",
-                      "\"specular\"",
-                      "\"open\"",
-                      "6:11",
-                      {"a side that lets particles out cannot be used with the method 'event-driven'",
-                       "use \"specular\" or \"periodic\""}});
+  expect_refused(hard, {"",
+                        "",
+                        "[[source]]\nrate = 1\ncentre = [1, 1]\n",
+                        "14:1",
+                        {"'source' cannot be used with the method 'event-driven', only with", "'dsmc'"}});
+  expect_refused(hard, {"",
+                        "\"specular\"",
+                        "\"open\"",
+                        "6:11",
+                        {"a side that lets particles out cannot be used with the method 'event-driven'",
+                         "use \"specular\" or \"periodic\""}});
 }
 
 TEST(OpenSides, AreNeitherPeriodicNorWalled) {
-  expect_fault(
+  expect_refused(
       good,
       {"", "x = \"open\"", "x = [\"open\", \"periodic\"]", "7:5", {"one periodic side and one open one"}});
-  expect_fault(good,
-               {"", "", "[[wall]]\nside = 'x-low'\n", "32:8", {"'wall.side' is 'x-low', which is open"}});
+  expect_refused(good,
+                 {"", "", "[[wall]]\nside = 'x-low'\n", "32:8", {"'wall.side' is 'x-low', which is open"}});
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ void check_rough(double tangential_restitution, const std::optional<double>& fri
 /// Values that concern spins, in a scene where none can change.
 void check_spins(const Scene& scene, Diagnostics& diagnostics) {
   if (is_rough(scene)) return;
-  const auto refuse = [&diagnostics](bool fault, const std::string& path) {
-    if (fault && diagnostics.clean(path))
+  const auto refuse = [&diagnostics](bool wrong, const std::string& path) {
+    if (wrong && diagnostics.clean(path))
       diagnostics.report(path, shown(path) +
                                    " needs rough contacts: give 'tangential-restitution' above -1 to "
                                    "a species, wall or obstacle");

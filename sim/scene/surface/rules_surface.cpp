@@ -41,7 +41,7 @@ bool check_side(const Scene& scene, std::size_t index, const std::string& path, 
                                          shown(side), side_of(wall), axis_words()[axis].first));
   for (std::size_t i = 0; i < index; ++i)
     if (scene.walls[i].axis == wall.axis && scene.walls[i].high == wall.high)
-      diagnostics.report(path, fmt::format("two tables [[wall]] speak of '{}'; keep one", side_of(wall)));
+      diagnostics.report(path, fmt::format("two tables [[wall]] name '{}'; keep one", side_of(wall)));
   return true;
 }
 

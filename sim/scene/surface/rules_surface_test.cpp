@@ -4,16 +4,16 @@
 namespace sandglass {
 namespace {
 
-class Surfaces : public testing::TestWithParam<Fault> {};
+class Surfaces : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(Surfaces, AreRefusedWithPlaceAndReason) { expect_fault(kDrivenDisks, GetParam()); }
+TEST_P(Surfaces, AreRefusedWithPlaceAndReason) { expect_refused(kDrivenDisks, GetParam()); }
 
-const std::vector<Fault> surface_faults = {
+const std::vector<BadEdit> surface_edits = {
     {"side", "\"y-low\"", "\"bottom\"", "18:8", {"unknown side of the domain 'bottom'", "'y-low'"}},
     {"no_side", "side = \"y-low\"\n", "", "17:1", {"missing 'wall.side'", "'z-high'"}},
     {"side_of_3d", "\"y-low\"", "\"z-low\"", "18:8", {"'wall.side' is 'z-low'", "has the axes x and y"}},
     {"periodic_side", "\"y-low\"", "\"x-low\"", "18:8", {"x is periodic", "[domain.sides] x = \"specular\""}},
-    {"same_side", "\"y-high\"", "\"y-low\"", "22:1", {"two tables [[wall]] speak of 'y-low'"}},
+    {"same_side", "\"y-high\"", "\"y-low\"", "22:1", {"two tables [[wall]] name 'y-low'"}},
     {"rule", "\"thermal\"", "\"termal\"", "24:8", {"unknown wall rule 'termal'; did you mean 'thermal'?"}},
     {"wall_restitution", "= 0.8", "= 1.8", "19:15", {"'wall.restitution' is 1.8; allowed: 0 to 1"}},
     {"thermal_restitution",
@@ -102,7 +102,7 @@ const std::vector<Fault> surface_faults = {
      {"an obstacle stands still; remove it"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Surface, Surfaces, testing::ValuesIn(surface_faults), fault_name);
+INSTANTIATE_TEST_SUITE_P(Surface, Surfaces, testing::ValuesIn(surface_edits), edit_name);
 
 }  // namespace
 }  // namespace sandglass

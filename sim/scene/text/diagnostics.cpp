@@ -38,23 +38,23 @@ void Diagnostics::report(const std::string& path, const std::string& message) {
 }
 
 void Diagnostics::report_at(Place place, const std::string& path, const std::string& message) {
-  faults_.push_back({place, path, message});
+  entries_.push_back({place, path, message});
 }
 
 bool Diagnostics::clean(const std::string& path) const {
-  return std::none_of(faults_.begin(), faults_.end(), [&path](const Fault& fault) {
-    return inside(fault.path, path) || inside(path, fault.path);
+  return std::none_of(entries_.begin(), entries_.end(), [&path](const Entry& entry) {
+    return inside(entry.path, path) || inside(path, entry.path);
   });
 }
 
 void Diagnostics::raise() const {
-  if (faults_.empty()) return;
-  std::vector<Fault> sorted = faults_;
+  if (entries_.empty()) return;
+  std::vector<Entry> sorted = entries_;
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Fault& a, const Fault& b) { return a.place < b.place; });
+                   [](const Entry& a, const Entry& b) { return a.place < b.place; });
   std::vector<Diagnostic> diagnostics;
-  for (const Fault& fault : sorted)
-    diagnostics.push_back({file_name_, fault.place.line, fault.place.column, fault.message});
+  for (const Entry& entry : sorted)
+    diagnostics.push_back({file_name_, entry.place.line, entry.place.column, entry.message});
   throw InputError(std::move(diagnostics));
 }
 

@@ -30,7 +30,7 @@ class Diagnostics {
   void raise() const;
 
  private:
-  struct Fault {
+  struct Entry {
     Place place;
     std::string path;
     std::string message;
@@ -40,7 +40,7 @@ class Diagnostics {
 
   std::string file_name_;
   std::map<std::string, Place> places_;
-  std::vector<Fault> faults_;
+  std::vector<Entry> entries_;
 };
 
 /// "domain" + "size" -> "domain.size"; "" + "run" -> "run"
