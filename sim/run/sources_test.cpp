@@ -76,6 +76,19 @@ TEST(Sources, BringInAsManyAsTheirRateSays) {
   EXPECT_EQ(record.replicas[0].counters.at("particles-poured"), 39);
 }
 
+/// The first frame has no particle, the last one most.
+TEST(Sources, TheirRecordReadsBack) {
+  const Record record = run_text(kFloor);
+  const std::string path = testing::TempDir() + "sources_test.h5";
+  write_record(path, record);
+  const Record read = read_record(path);
+  ASSERT_EQ(read.trajectory.size(), record.trajectory.size());
+  for (std::size_t i = 0; i < record.trajectory.size(); ++i) {
+    ASSERT_EQ(read.trajectory[i].position, record.trajectory[i].position);
+    ASSERT_EQ(read.trajectory[i].velocity, record.trajectory[i].velocity);
+  }
+}
+
 TEST(Sources, EndAfterTheirCount) {
   const Record record = run_text(edited(kFloor, "rate = 1.3\nheight = 8.0\ncentre = [6.0]\nwidth = [2.0]",
                                         "rate = 25.0\ncentre = [6.0, 9.0]\ncount = 17"));

@@ -6,6 +6,7 @@
 #include "sim/scene/scene.hpp"
 #include "sim/scene/words.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -87,6 +88,16 @@ TEST(Reference, NamesEveryKeyPresetAndObserver) {
   for (const std::string& word : words) EXPECT_TRUE(text.find("`" + word + "`") != text.npos) << word;
   for (const NamedSummary& observer : observer_summaries())
     EXPECT_TRUE(text.find("`" + observer.name + "` | " + observer.summary) != text.npos) << observer.name;
+}
+
+TEST(Reference, ExamplesRead) {
+  std::size_t examples = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(SANDGLASS_SOURCE_DIR "/docs/examples")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_NO_THROW(read_scene_file(entry.path().string())) << entry.path();
+    ++examples;
+  }
+  EXPECT_GE(examples, 8u);
 }
 
 TEST(Reference, ItsSmallSceneReads) {
