@@ -25,8 +25,8 @@ Law bed_law(std::string name, std::string summary, std::string units, double (*r
       .source = "balance of energy to first order in m<U^2>/T; elastic walls: Kumaran 1998",
       .units = std::move(units),
       .validity =
-          "vibrated-bed-expansion below 0.05, dilute, one temperature in height and direction, amplitude "
-          "far below T/(m g), many periods in a flight",
+          "too high by about vibrated-bed-expansion of itself; dilute, one temperature in height and "
+          "direction, amplitude far below T/(m g), nine periods or more in sqrt(T/m)/gravity",
       .parameters = {positive("bottom-speed", "length/time", "largest speed of the bottom, 2 pi A f"),
                      positive("layers", "1",
                               "particles per width times diameter, or per area times its square"),
