@@ -48,7 +48,7 @@ std::string edited(std::string text, const std::string& find, const std::string&
 
 Record run_text(const std::string& text, const std::string& fault = "") {
   RunOptions options;
-  options.mutation.name = fault;
+  options.planted_fault = fault;
   return run_scene(read_scene_text(text, "scene.toml"), options);
 }
 
