@@ -1,4 +1,4 @@
-#include "validation/check/spectrum.hpp"
+#include "validation/check/spectrum_fit.hpp"
 
 #include "sim/base/error.hpp"
 #include "validation/law/fluctuation.hpp"
