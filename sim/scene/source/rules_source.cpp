@@ -83,14 +83,18 @@ class SourceRules {
 
   /// A particle that has not fallen out of the way counts as the pile, and the source would climb on what it pours.
   void check_crowding(double pull) {
-    const double clearing = (falling_speed(scene_, source_) - pouring_speed(scene_, source_)) / pull;
+    const double missing = falling_speed(scene_, source_) - pouring_speed(scene_, source_);
+    if (!(missing > 0)) return;
+    // Particles come at the ends of steps: two may stand nearer to each other by one.
+    const double clearing = missing / pull + scene_.method.time_step.fixed.value_or(0);
     if (source_.rate * clearing <= 1 || !diagnostics_.clean(key("rate"))) return;
-    diagnostics_.report(key("rate"), fmt::format("{} pours {} particles while one falls out of the way: its "
-                                                 "speed must pass that of a fall through a "
-                                                 "diameter, which takes {:.4g}; lower the rate to {:.4g}, or "
-                                                 "give a 'velocity' of {:.4g} along gravity",
-                                                 shown(key("rate")), source_.rate * clearing, clearing,
-                                                 1 / clearing, falling_speed(scene_, source_)));
+    diagnostics_.report(key("rate"),
+                        fmt::format("{} pours {} particles while one falls out of the way: its "
+                                    "speed must pass that of a fall through a "
+                                    "diameter, which takes {:.4g} with a step; lower the rate to {:.4g}, or "
+                                    "give a 'velocity' of {:.4g} along gravity",
+                                    shown(key("rate")), source_.rate * clearing, clearing, 1 / clearing,
+                                    falling_speed(scene_, source_)));
   }
 
   /// As many components as the region has axes.

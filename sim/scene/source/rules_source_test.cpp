@@ -59,7 +59,7 @@ const std::vector<BadEdit> errors = {
      "rate = 1.5",
      "rate = 5.0",
      "16:8",
-     {"pours 2.07", "while one falls out of the way", "lower the rate to 2.414", "'velocity' of 1.414"}},
+     {"pours 2.57", "while one falls out of the way", "lower the rate to 1.945", "'velocity' of 1.414"}},
     {"two_heights",
      "centre = [30.0, 20.0]",
      "height = 2.0\ncentre = [30.0]",
