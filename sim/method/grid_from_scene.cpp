@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/method/from_scene.hpp"
+#include "sim/scene/method/capabilities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +33,7 @@ Grid<D> grid_of_cells(const Scene& scene, const std::vector<double>& cells) {
 
 template <int D>
 Grid<D> grid_of_edge(const Scene& scene, double edge) {
-  std::vector<double> cells;
-  for (const double length : scene.domain.size) cells.push_back(std::max(1.0, std::round(length / edge)));
-  return grid_of_cells<D>(scene, cells);
+  return grid_of_cells<D>(scene, cells_of_edge(scene, edge));
 }
 
 template Grid<2> grid_of_cells(const Scene&, const std::vector<double>&);

@@ -269,6 +269,19 @@ Scene beam() {
   return scene;
 }
 
+/// Cells of which some are full, with fitted impact parameters.
+Scene crowd() {
+  Scene scene = test_scene(2, 12, 110);
+  choose(scene.method, "hsmc-pb");
+  dsmc_options(scene).cells = {4, 4};
+  dsmc_options(scene).impact_coefficient = {{0}, {0.7}};
+  scene.species[0].restitution = 0.8;
+  scene.run.duration.steps = 400;
+  scene.observe.emplace_back().what = "energy";
+  scene.observe.back().cadence.every = 400;
+  return scene;
+}
+
 double change_of_energy(const Scene& scene, const std::string& fault) {
   RunOptions options;
   options.planted_fault = fault;
@@ -286,7 +299,7 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   few.run.duration.steps = 300;
   std::map<std::string, std::vector<Scene>> scenes;
   for (const Scene& scene :
-       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam()})
+       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam(), crowd()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))

@@ -42,12 +42,15 @@ class Neighbours {
           visit(*next, Vector<D>((up ? 1.0 : -1.0) * Vector<D>::Unit(axis)));
   }
 
-  /// Colour on a checkerboard over all axes: 0 or 1, another than that of every neighbour, save across the seam of a
-  /// periodic axis with an odd number of cells.
-  std::uint32_t parity(std::uint32_t cell) const {
-    std::uint32_t sum = 0;
-    for (std::size_t axis = 0; axis < D; ++axis) sum += coordinate(cell, axis);
-    return sum % 2;
+  /// Colour on a checkerboard over all axes, 0 or 1, that swaps with every turn. A periodic axis with an odd number of cells
+  /// has one pair of neighbouring layers alike, which moves on by a layer every other turn.
+  std::uint32_t colour(std::uint32_t cell, std::uint64_t turn) const {
+    std::uint64_t sum = turn;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const std::uint64_t place = coordinate(cell, axis);
+      sum += periodic_[axis] && cells_[axis] % 2 == 1 ? (place + turn / 2) % cells_[axis] : place;
+    }
+    return static_cast<std::uint32_t>(sum % 2);
   }
 
   /// Three where a periodic axis has an odd number of cells, else two.

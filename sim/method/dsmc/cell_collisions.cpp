@@ -71,16 +71,20 @@ template <int D>
 void CellCollisions<D>::apply(const CellStep<D>& step) {
   if (!full_.any()) return;
   chosen_.clear();
-  const std::uint32_t active = static_cast<std::uint32_t>(step.number * swap_ % 2);
   for (std::uint32_t cell = 0; cell < choice_.size(); ++cell)
-    if (full_.full(cell) && step.neighbours.parity(cell) == active) choose(step, cell);
+    if (full_.full(cell) && active(step, cell)) choose(step, cell);
   for (const std::uint32_t cell : chosen_) {
     collide(step, choice_[cell].from, cell);
     choice_[cell] = {};
   }
 }
 
-/// Neighbours have the other colour. The first of equals is taken, in the order of the cells.
+template <int D>
+bool CellCollisions<D>::active(const CellStep<D>& step, std::uint32_t cell) const {
+  return step.neighbours.colour(cell, step.number * swap_) == 0;
+}
+
+/// Among neighbours of the other colour. The first of equals is taken, in the order of the cells.
 template <int D>
 void CellCollisions<D>::choose(const CellStep<D>& step, std::uint32_t cell) {
   const auto offsets = step.store.offsets();
@@ -88,7 +92,7 @@ void CellCollisions<D>::choose(const CellStep<D>& step, std::uint32_t cell) {
   Choice best{0, cell};
   std::uint32_t to = cell;
   step.neighbours.for_each_neighbour(cell, [&](std::uint32_t neighbour, const Vector<D>& direction) {
-    if (offsets[neighbour] == offsets[neighbour + 1]) return;
+    if (offsets[neighbour] == offsets[neighbour + 1] || active(step, neighbour)) return;
     const double approach = (velocity - step.fields.velocity[neighbour]).dot(direction);
     if (approach > best.approach) best.approach = approach, to = neighbour;
   });

@@ -151,6 +151,29 @@ TEST(CellCollisions, CollideThePairsOfTheirTwin) {
   }
 }
 
+/// With an odd number of cells around, no cell collides twice in a step, and every pair across the seam has its turns.
+TEST(CellCollisions, CloseAroundAnOddNumberOfCells) {
+  const Parameters parameters = crowd_parameters<2>(1);
+  std::vector<Phase<2>> particles;
+  for (std::uint32_t cell = 0; cell < 5; ++cell)
+    for (int i = 0; i < 12; ++i) particles.push_back({Vector<2>(cell + 0.5, 0.5), Vector<2>::Zero()});
+  std::set<std::uint32_t> collided;  // cells that have collided with the next one
+  for (std::uint32_t cell = 0; cell < 5; ++cell)
+    for (std::uint64_t step = 0; step < 10; ++step) {
+      auto approaching = particles;
+      for (int i = 0; i < 12; ++i) {
+        approaching[12 * cell + static_cast<std::size_t>(i)].velocity[0] = 1;
+        approaching[12 * ((cell + 1) % 5) + static_cast<std::size_t>(i)].velocity[0] = -1;
+      }
+      Bench<2> bench(Grid<2>(Vector<2>(5, 1), {5, 1}), parameters, approaching, {true, false});
+      bench.apply(step);
+      ASSERT_LE(bench.stage.count().collisions, 2);
+      ASSERT_LT(momentum<2>(bench.all()).norm(), 1e-13);
+      if (bench.stage.count().collisions > 0) collided.insert(cell);
+    }
+  EXPECT_EQ(collided.size(), 5U);
+}
+
 /// Two cells side by side in a box of two; the first holds `left` particles, the second `right`.
 Bench<2> two_cells(std::size_t left, std::size_t right, const Vector<2>& speed, double heat,
                    const Parameters& parameters) {

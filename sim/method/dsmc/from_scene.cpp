@@ -47,7 +47,7 @@ template <int D>
 Grid<D> grid_of(const Scene& scene, double particles_per_cell) {
   const DsmcOptions& options = options_of(scene);
   if (!options.cells.empty() || options.cell_size) return grid_of_cells<D>(scene, cells_along(scene));
-  return grid_of_cells<D>(scene, cells_of_edge(scene, edge_for(scene, particles_per_cell)));
+  return grid_of_edge<D>(scene, edge_for(scene, particles_per_cell));
 }
 
 template <int D>

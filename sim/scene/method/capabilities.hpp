@@ -32,11 +32,9 @@ const Capabilities& capabilities(const Scene& scene);
 
 /// Cells along each axis; empty where the method chooses them.
 std::vector<double> cells_along(const Scene& scene);
-/// The whole numbers of cells nearest to this edge, at least one along each axis; even along periodic axes where the
-/// method works on a checkerboard of cells.
+/// The whole numbers of cells nearest to this edge, at least one along each axis.
 std::vector<double> cells_of_edge(const Scene& scene, double edge);
-/// Cells take in no more than the densest packing; full ones collide on a checkerboard, which closes across a seam only
-/// with an even number of cells.
+/// Cells take in no more than the densest packing.
 bool has_full_cells(const Scene& scene);
 /// Collisions move their partners out of the cell whose pairs are counted.
 bool loses_pairs(const Scene& scene);

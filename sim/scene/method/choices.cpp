@@ -58,11 +58,7 @@ bool has_full_cells(const Scene& scene) {
 
 std::vector<double> cells_of_edge(const Scene& scene, double edge) {
   std::vector<double> numbers;
-  for (std::size_t axis = 0; axis < scene.domain.size.size(); ++axis) {
-    const double exact = scene.domain.size[axis] / edge;
-    const bool even = has_full_cells(scene) && scene.domain.sides[axis][0] == Side::periodic && exact >= 1.5;
-    numbers.push_back(std::max(1.0, even ? 2 * std::round(exact / 2) : std::round(exact)));
-  }
+  for (const double length : scene.domain.size) numbers.push_back(std::max(1.0, std::round(length / edge)));
   return numbers;
 }
 

@@ -28,17 +28,6 @@ void check_entry(const DsmcOptions& dsmc, Diagnostics& diagnostics) {
     check_bounds(diagnostics, item_path(path + ".probability", i), curve.value[i], between(0, 1));
 }
 
-/// A checkerboard closes across a seam with an even number of cells only.
-void check_even(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics) {
-  for (std::size_t axis = 0; axis < dsmc.cells.size() && axis < scene.domain.sides.size(); ++axis)
-    if (dsmc.cells[axis] > 1 && dsmc.cells[axis] % 2 == 1 && scene.domain.sides[axis][0] == Side::periodic &&
-        diagnostics.clean("method.cells"))
-      diagnostics.report("method.cells",
-                         fmt::format("'method.cells' has {} along a periodic axis; with excluded-volume = "
-                                     "\"cells\" it must be 1 or even, for example {}",
-                                     dsmc.cells[axis], dsmc.cells[axis] + 1));
-}
-
 /// Where the cells are given: room for one particle at least.
 void check_room(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics) {
   for (const char* path : {"method", "domain", "species"})
@@ -63,6 +52,8 @@ void read_excluded_volume(Table& table, DsmcOptions& dsmc) {
   if (dsmc.excluded_volume == ExcludedVolume::none && table.clean("excluded-volume")) {
     for (const char* key : {"densest-fraction", "entry", "entry-probability", "offset-in-full-cells"})
       table.refuse(key, "is used with excluded-volume = \"cells\" only");
+    dsmc.entry = Entry::free;
+    dsmc.offset_in_full_cells = false;
     return;
   }
   table.read("densest-fraction", dsmc.densest_fraction);
@@ -76,8 +67,8 @@ void read_excluded_volume(Table& table, DsmcOptions& dsmc) {
 }
 
 void write_excluded_volume(Lines& lines, const DsmcOptions& dsmc) {
-  if (dsmc.excluded_volume == ExcludedVolume::none) return;
   lines.add("excluded-volume", word_of(excluded_volume_words(), dsmc.excluded_volume));
+  if (dsmc.excluded_volume == ExcludedVolume::none) return;
   lines.add("densest-fraction", dsmc.densest_fraction);
   lines.add("entry", word_of(entry_words(), dsmc.entry));
   if (!dsmc.entry_curve.at.empty())
@@ -99,7 +90,6 @@ void check_excluded_volume(const Scene& scene, const DsmcOptions& dsmc, Diagnost
     diagnostics.report("method.entry-probability",
                        "'method.entry-probability' is used with entry = \"falling\" only");
   check_entry(dsmc, diagnostics);
-  check_even(scene, dsmc, diagnostics);
   check_room(scene, dsmc, diagnostics);
 }
 

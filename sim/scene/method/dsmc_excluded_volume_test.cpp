@@ -1,4 +1,3 @@
-#include "sim/scene/method/capabilities.hpp"
 #include "sim/scene/test_bad_scene.hpp"
 
 namespace sandglass {
@@ -26,7 +25,6 @@ class ExcludedVolumeScene : public testing::TestWithParam<BadEdit> {};
 TEST_P(ExcludedVolumeScene, RefusesWhatCannotBe) { expect_refused(good, GetParam()); }
 
 const std::vector<BadEdit> edits = {
-    {"odd_cells", "cells = [4, 7]", "cells = [5, 7]", "11:9", {"5 along a periodic axis", "1 or even", "6"}},
     {"no_room",
      "cells = [4, 7]",
      "weight = 100.0\ncells = [40, 70]",
@@ -51,7 +49,7 @@ const std::vector<BadEdit> edits = {
     {"unlikely",
      "cells =",
      "entry = \"falling\"\nentry-probability = { fraction = [0.5, 0.8], probability = [1.5, 0] }\ncells =",
-     "12:63",
+     "12:61",
      {"1.5", "0 to 1"}},
     {"points_have_no_densest",
      "\"hsmc\"",
@@ -84,15 +82,6 @@ TEST(ExcludedVolumeScene, KeepsItsKeysInTheRecord) {
         with("hsmc-pb", "impact-coefficient = 0.4"), with("hsmc-offset-everywhere", ""),
         with("dsmc-pb", "impact-coefficient = { collisions-per-particle = [0, 80], value = [0, 0.5] }")})
     EXPECT_EQ(read_scene_text(write_scene(scene), "again.toml"), scene);
-}
-
-/// A wanted edge gives an even number of cells where the checkerboard must close across a seam.
-TEST(ExcludedVolumeScene, TakesEvenNumbersOfCellsAlongPeriodicAxes) {
-  std::string text = good;
-  text.replace(text.find("cells = [4, 7]"), 14, "cell-size = 2.0");
-  EXPECT_EQ(cells_along(read_scene_text(text, "scene.toml")), (std::vector<double>{4, 10}));
-  text.replace(text.find("\"hsmc\""), 6, "\"cba\"");
-  EXPECT_EQ(cells_along(read_scene_text(text, "scene.toml")), (std::vector<double>{5, 10}));
 }
 
 }  // namespace
