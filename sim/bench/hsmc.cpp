@@ -57,9 +57,9 @@ void moves(benchmark::State& state, double fraction, bool hybrid) {
 template <int D>
 void add(const std::string& name, double fraction) {
   for (const bool hybrid : {false, true})
-    benchmark::RegisterBenchmark((name + (hybrid ? "full_cells" : "points")).c_str(), [=](benchmark::State& state) {
-      moves<D>(state, fraction, hybrid);
-    })->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((name + (hybrid ? "full_cells" : "points")).c_str(),
+                                 [=](benchmark::State& state) { moves<D>(state, fraction, hybrid); })
+        ->Unit(benchmark::kMillisecond);
 }
 
 const bool registered = [] {

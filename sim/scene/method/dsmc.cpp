@@ -117,13 +117,21 @@ Preset preset(const char* name, const char* summary, ContactFactor factor, Offse
   return {{name, summary}, options};
 }
 
+struct HybridChoices {
+  Entry entry = Entry::free;
+  ImpactDistribution impact = ImpactDistribution::uniform;
+  bool offset_in_full_cells = false;
+};
+
 /// Hybrid simulation Monte Carlo: `cba` with an excluded volume of cells.
-Preset hybrid(const char* name, const char* summary, void (*choose)(DsmcOptions&)) {
+Preset hybrid(const char* name, const char* summary, const HybridChoices& choices = {}) {
   DsmcOptions options;
   options.contact_factor = ContactFactor::local;
   options.offset = Offset::consistent;
   options.excluded_volume = ExcludedVolume::cells;
-  choose(options);
+  options.entry = choices.entry;
+  options.impact = choices.impact;
+  options.offset_in_full_cells = choices.offset_in_full_cells;
   return {{name, summary}, options};
 }
 
@@ -158,14 +166,14 @@ MethodFamily make_family() {
           "cba-expected-pairs",
           "cba that takes its candidates from the pairs expected by chance: right with few particles a cell",
           ContactFactor::local, Offset::consistent, PairCount::expected),
-      hybrid("hsmc", "hybrid simulation Monte Carlo: cba, and cells take in no more than the densest packing",
-             [](DsmcOptions&) {}),
+      hybrid("hsmc",
+             "hybrid simulation Monte Carlo: cba, and cells take in no more than the densest packing"),
       hybrid("hsmc-ramp", "hsmc where a cell is the harder to enter the fuller it is",
-             [](DsmcOptions& options) { options.entry = Entry::falling; }),
+             {.entry = Entry::falling}),
       hybrid("hsmc-pb", "hsmc with impact parameters from p(b) = a/(1 - c b^2)",
-             [](DsmcOptions& options) { options.impact = ImpactDistribution::fitted; }),
+             {.impact = ImpactDistribution::fitted}),
       hybrid("hsmc-offset-everywhere", "hsmc that displaces partners in full cells too: heaps do not rest",
-             [](DsmcOptions& options) { options.offset_in_full_cells = true; }),
+             {.offset_in_full_cells = true}),
       fitted("dsmc-pb", "dsmc with impact parameters from p(b) = a/(1 - c b^2)")};
   family.keys = {"contact-factor",
                  "density",
