@@ -73,6 +73,7 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("random offset", parameters_.offset.random != 0);
     plan.feature("momentum carried by offsets (observer pressure)", parameters_.measure_transfer);
     plan.feature("pairs expected by chance", parameters_.pair_count == PairCount::expected);
+    plan.feature("partners a diameter away", parameters_.partners == Partners::contact);
     plan.feature("excluded volume of cells", parameters_.excluded_volume.any());
     plan.feature("fitted impact parameters", parameters_.impact.fitted());
     plan.feature("walls with a rule", !motion_.walls.empty());
@@ -94,7 +95,8 @@ class Builder final : public MethodBuilder<D> {
 
   double bytes_per_particle(double particles) const {
     const double per_cell = (parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8) +
-                            (parameters_.pair_count == PairCount::expected ? 44 : 0);
+                            (parameters_.pair_count == PairCount::expected ? 44 : 0) +
+                            (parameters_.partners == Partners::contact ? 4 + sizeof(VelocityBox<D>) : 0);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
            (parameters_.excluded_volume.any() ? 5 : 0) +
            (per_cell + (parameters_.excluded_volume.any() ? 21 + 8 * D : 0)) * grid_.size() / particles;

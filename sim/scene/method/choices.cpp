@@ -56,12 +56,32 @@ bool has_full_cells(const Scene& scene) {
   return choice(scene.method, false, get);
 }
 
+double least_cell_edge(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.partners == Partners::contact) {
+    return options.partners == Partners::contact;
+  };
+  double widest = 0;
+  if (choice(scene.method, false, get))
+    for (const Species& species : scene.species) widest = std::max(widest, species.diameter);
+  return widest;
+}
+
+namespace {
+/// The most cells of at least this edge; as many as wanted where there is no such edge.
+double at_most(double wanted, double size, double least) {
+  double cells = least > 0 ? std::min(wanted, std::floor(size / least)) : wanted;
+  while (cells > 1 && cells * least > size) --cells;
+  return std::max(1.0, cells);
+}
+}  // namespace
+
 std::vector<double> cells_of_edge(const Scene& scene, double edge) {
   std::vector<double> numbers;
   for (std::size_t axis = 0; axis < scene.domain.size.size(); ++axis) {
     const double exact = scene.domain.size[axis] / edge;
     const bool even = has_full_cells(scene) && scene.domain.sides[axis][0] == Side::periodic && exact >= 1.5;
-    numbers.push_back(std::max(1.0, even ? 2 * std::round(exact / 2) : std::round(exact)));
+    const double wanted = even ? 2 * std::round(exact / 2) : std::round(exact);
+    numbers.push_back(at_most(wanted, scene.domain.size[axis], least_cell_edge(scene)));
   }
   return numbers;
 }
