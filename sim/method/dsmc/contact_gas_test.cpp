@@ -45,11 +45,11 @@ struct Measured {
   Mean rate, pressure;  ///< over theory, less one
 };
 
-/// Five collisions of a particle to settle, then forty; the step follows the temperature.
+/// A box of so many cells along each axis, five collisions of a particle to settle and the rest measured; the step follows
+/// the temperature. Of an inelastic gas the box must be short, or vortices grow.
 template <int D>
-Measured measure(Parameters parameters) {
-  constexpr int kWarm = 50, kSteps = 400;
-  const auto cells = static_cast<std::uint32_t>(std::lround(std::pow(8000 / kPerCell, 1.0 / D)));
+Measured measure(Parameters parameters, std::uint32_t cells, int steps) {
+  constexpr int kWarm = 50;
   const Grid<D> grid = cubic_grid<D>(cells, kEdge);
   const auto count = static_cast<std::size_t>(kPerCell * grid.size());
   Dsmc<D> dsmc(grid, parameters, {}, {});
@@ -57,7 +57,7 @@ Measured measure(Parameters parameters) {
   const double hard_core =
       std::exp2(D - 1) * kFraction * contact_formula(D)(kFraction).value * (1 + parameters.restitution) / 2;
   std::vector<double> rates, pressures;
-  for (int step = 0; step < kWarm + kSteps; ++step) {
+  for (int step = 0; step < kWarm + steps; ++step) {
     const double before = temperature(dsmc), dt = kCollisions / collision_rate<D>() / std::sqrt(before);
     dsmc.tally() = Tally{};
     dsmc.step(dt, static_cast<std::uint64_t>(step));
@@ -75,9 +75,9 @@ double missing(const Parameters& parameters) {
 }
 
 template <int D>
-void expect_enskog(double restitution) {
+void expect_enskog(double restitution, std::uint32_t cells, int steps) {
   const Parameters parameters = contact_gas<D>(restitution);
-  const Measured measured = measure<D>(parameters);
+  const Measured measured = measure<D>(parameters, cells, steps);
   const double expected = -missing<D>(parameters), model = 0.2 * std::abs(expected) + 0.001;
   std::printf("%dD, r = %.1f: rate %+.4f +- %.4f, pressure %+.4f +- %.4f, expected %+.4f\n", D, restitution,
               measured.rate.value, measured.rate.standard_error, measured.pressure.value,
@@ -90,19 +90,19 @@ void expect_enskog(double restitution) {
 }
 
 TEST(ContactGas, HasEnskogsRateAndTheHardCorePressure) {
-  expect_enskog<2>(1);
-  expect_enskog<3>(1);
+  expect_enskog<2>(1, 28, 400);
+  expect_enskog<3>(1, 9, 400);
 }
 
 TEST(ContactGas, HasTheHardCorePressureWhenInelastic) {
-  expect_enskog<2>(0.8);
-  expect_enskog<3>(0.8);
+  expect_enskog<2>(0.8, 12, 2000);
+  expect_enskog<3>(0.8, 9, 400);
 }
 
 TEST(ContactGas, PlantedHalfDistanceLosesHalfThePressure) {
   Parameters faulty = contact_gas<2>(1);
   faulty.faults.reach = 0.5;
-  const Measured measured = measure<2>(faulty);
+  const Measured measured = measure<2>(faulty, 28, 400);
   EXPECT_NEAR(measured.pressure.value, -0.5, 0.02);
   EXPECT_NEAR(measured.rate.value, 0, 0.03);
 }
@@ -157,6 +157,7 @@ TEST(ContactGas, GoesOnBitwiseFromItsParticles) {
   whole.assign({maxwellian<3>(640, 4), {}});
   std::uint64_t step = 0;
   for (; step < 10; ++step) whole.step(0.02, step);
+  whole.tally() = Tally{};
   const auto half_way = whole.view().particles;
   resumed.assign({{half_way.begin(), half_way.end()}, {}});
   resumed.load(whole.save());
@@ -164,7 +165,7 @@ TEST(ContactGas, GoesOnBitwiseFromItsParticles) {
     whole.step(0.02, step);
     resumed.step(0.02, step);
   }
-  EXPECT_GT(whole.tally().collisions, 300u);
+  EXPECT_GT(whole.tally().collisions, 150u);
   EXPECT_EQ(whole.tally().transfer.value(), resumed.tally().transfer.value());
   EXPECT_TRUE(std::ranges::equal(whole.view().particles, resumed.view().particles, same<3>));
 }

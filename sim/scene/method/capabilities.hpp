@@ -40,7 +40,7 @@ std::vector<double> cells_of_edge(const Scene& scene, double edge);
 bool has_full_cells(const Scene& scene);
 /// A diameter where partners are looked for that far away in the cells around; else 0.
 double least_cell_edge(const Scene& scene);
-/// Collisions move their partners out of the cell whose pairs are counted.
+/// Collisions push pairs apart that are then missing where pairs are counted: by offsets, or by partners at contact.
 bool loses_pairs(const Scene& scene);
 /// The collision rate goes with the contact value of the local density.
 bool has_contact_factor(const Scene& scene);

@@ -82,5 +82,12 @@ TEST(PartnersScene, KeepsCellsADiameterWide) {
   EXPECT_EQ(cells_of_edge(scene, 0.1), (std::vector<double>{10, 20}));
 }
 
+TEST(PartnersScene, MissesPairsWhereCollisionsPushThemApart) {
+  EXPECT_TRUE(loses_pairs(with("\"esmc\"", "\"esmc\"")));
+  EXPECT_FALSE(loses_pairs(with("\"esmc\"", "\"dsmc-enskog\"")));
+  EXPECT_TRUE(loses_pairs(with("\"esmc\"", "\"cba\"")));
+  EXPECT_FALSE(loses_pairs(with("\"esmc\"", "\"cba-expected-pairs\"")));
+}
+
 }  // namespace
 }  // namespace sandglass
