@@ -17,7 +17,7 @@ namespace sandglass::dsmc {
 /// particles cross a cell in one step. With expected pairs only the scatter of the window is left.
 ///
 /// Partners at contact push each other apart in the same way, and miss pairs by the same two parts. There the first follows
-/// from the pair correlation of linear theory (docs/theory.md), within 10% of its integral.
+/// from the pair correlation of linear theory (docs/theory.md), within 12% of its integral.
 double expected_pair_deficit(int dimension, const Parameters& parameters, double number_density,
                              double particles_per_cell);
 
