@@ -76,7 +76,7 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("contact factor of the local density", parameters_.factor.formula != nullptr);
     plan.feature("offset along the momentum change", parameters_.offset.consistent != 0);
     plan.feature("random offset", parameters_.offset.random != 0);
-    plan.feature("momentum carried by offsets (observer pressure)", parameters_.measure_transfer);
+    plan.feature("momentum carried by collisions (observer pressure)", parameters_.measure_transfer);
     plan.feature("pairs expected by chance", parameters_.pair_count == PairCount::expected);
     plan.feature("partners a diameter away", parameters_.partners == Partners::contact);
     plan.feature("excluded volume of cells", parameters_.excluded_volume.any());
