@@ -282,6 +282,19 @@ Scene crowd() {
   return scene;
 }
 
+/// Partners a diameter away, in cells that differ in their contact factor.
+Scene at_contact() {
+  Scene scene = test_scene(2, 12, 60);
+  choose(scene.method, "esmc");
+  dsmc_options(scene).density = DensityEstimate::cell;
+  dsmc_options(scene).cells = {6, 6};
+  scene.species[0].restitution = 0.8;
+  scene.run.duration.steps = 200;
+  scene.observe.emplace_back().what = "energy";
+  scene.observe.back().cadence.every = 200;
+  return scene;
+}
+
 double change_of_energy(const Scene& scene, const std::string& fault) {
   RunOptions options;
   options.planted_fault = fault;
@@ -299,13 +312,20 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   few.run.duration.steps = 300;
   std::map<std::string, std::vector<Scene>> scenes;
   for (const Scene& scene :
-       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam(), crowd()})
+       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam(), crowd(), at_contact()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))
       EXPECT_TRUE(std::any_of(examples.begin(), examples.end(),
                               [&](const Scene& scene) { return change_of_energy(scene, fault.name) != 0; }))
           << family << ": " << fault.name;
+}
+
+/// Collisions over a diameter have a kernel of their own.
+TEST(Run, AFaultWithinACellIsRefusedWithPartnersAtContact) {
+  RunOptions options;
+  options.planted_fault = "bound-halved";
+  EXPECT_THROW(run_scene(at_contact(), options), InputError);
 }
 
 TEST(Run, AFaultOfAnotherFamilyIsRefused) {

@@ -42,6 +42,13 @@ class Neighbours {
           visit(*next, Vector<D>((up ? 1.0 : -1.0) * Vector<D>::Unit(axis)));
   }
 
+  /// Calls visit(other) for this cell and every one that shares a side, an edge or a corner with it; more than once for the
+  /// same where a periodic axis has one or two cells.
+  template <class Visit>
+  void for_each_around(std::uint32_t cell, Visit visit) const {
+    visit_around(cell, 0, visit);
+  }
+
   /// Colour on a checkerboard over all axes, 0 or 1, that swaps with every turn. A periodic axis with an odd number of cells
   /// has one pair of neighbouring layers alike, which moves on by a layer every other turn.
   std::uint32_t colour(std::uint32_t cell, std::uint64_t turn) const {
@@ -70,6 +77,14 @@ class Neighbours {
   }
 
  private:
+  template <class Visit>
+  void visit_around(std::uint32_t cell, int axis, Visit& visit) const {
+    if (axis == D) return visit(cell);
+    visit_around(cell, axis + 1, visit);
+    for (const bool up : {false, true})
+      if (const auto next = neighbour(cell, axis, up)) visit_around(*next, axis + 1, visit);
+  }
+
   std::uint32_t coordinate(std::uint32_t cell, std::size_t axis) const {
     return cell / stride_[axis] % cells_[axis];
   }

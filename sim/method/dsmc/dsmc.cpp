@@ -17,6 +17,8 @@ Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::M
       collisions_(parameters.faults.any() ? make_faulty_collision_stage<D>(parameters)
                                           : make_collision_stage<D>(parameters)),
       stages_(grid, this->periodic()) {
+  if (parameters.partners == Partners::contact)
+    contact_ = std::make_unique<ContactPartners<D>>(parameters, grid, this->periodic());
   if (!parameters.excluded_volume.any()) return;
   excluded_ = std::make_unique<ExcludedVolumeOfCells<D>>(parameters, motion, grid);
   add(excluded_->take_stage());
@@ -46,6 +48,9 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
   if (excluded_ && excluded_->refuses()) {
     collisions_->collide(collisions, 0, store_.grid().size());
     excluded_->advance(store_, motion, {streams_.seed, Purpose::entry, streams_.replica, step});
+  } else if (contact_) {
+    contact_->collide(collisions);
+    move(motion);
   } else {
     collide_and_move(motion, collisions);
   }
@@ -72,6 +77,12 @@ double Dsmc<D>::impact_coefficient() const {
   if (!parameters_.impact.fitted() || store_.size() == 0) return 0;
   const double collisions = 2 * static_cast<double>(tally_.collisions) / static_cast<double>(store_.size());
   return parameters_.impact.coefficient.at(collisions);
+}
+
+template <int D>
+void Dsmc<D>::move(const motion::MotionStep& motion) {
+  store_.begin_step();
+  this->fly(0, store_.size(), motion);
 }
 
 template <int D>
@@ -116,7 +127,7 @@ void Dsmc<D>::load(const Memory& memory) {
 template <int D>
 std::size_t Dsmc<D>::bytes() const {
   return CellSimulator<D>::bytes() + stages_.bytes() + (factor_ ? factor_->bytes() : 0) +
-         (excluded_ ? excluded_->bytes() : 0);
+         (excluded_ ? excluded_->bytes() : 0) + (contact_ ? contact_->bytes() : 0);
 }
 
 template class Dsmc<2>;

@@ -3,6 +3,7 @@
 #include "sim/method/cell_simulator.hpp"
 #include "sim/method/dsmc/cell_stage.hpp"
 #include "sim/method/dsmc/collision_stage.hpp"
+#include "sim/method/dsmc/contact_partners.hpp"
 #include "sim/method/dsmc/excluded_volume.hpp"
 #include "sim/method/dsmc/pair_factor.hpp"
 
@@ -12,8 +13,8 @@
 namespace sandglass::dsmc {
 
 /// Direct simulation Monte Carlo and its dense-gas variants in D dimensions. A step works on whole cells where a
-/// stage asks for it, collides the particles of each cell, moves them, and sorts them into the cells where they arrive.
-/// With an excluded volume of cells, moves into full ones are refused.
+/// stage asks for it, collides the particles of each cell (with partners at contact: of neighbouring ones too), moves them,
+/// and sorts them into the cells where they arrive. With an excluded volume of cells, moves into full ones are refused.
 template <int D>
 class Dsmc final : public CellSimulator<D> {
  public:
@@ -38,11 +39,13 @@ class Dsmc final : public CellSimulator<D> {
   void make_factor(double particles);
   double impact_coefficient() const;
   CollisionStep<D> collision_step(double dt, const StreamKey& key);
+  void move(const motion::MotionStep& motion);
   void collide_and_move(const motion::MotionStep& motion, const CollisionStep<D>& collisions);
 
   Parameters parameters_;
   Purpose purpose_;
   std::unique_ptr<CollisionStage<D>> collisions_;
+  std::unique_ptr<ContactPartners<D>> contact_;  ///< instead of collisions_; null where partners share a cell
   std::optional<PairFactor<D>> factor_;
   double assigned_ = 0;  ///< particles that the window of the pair factor was chosen for
   CellStages<D> stages_;

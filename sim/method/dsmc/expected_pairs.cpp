@@ -13,8 +13,8 @@ ExpectedPairs<D>::ExpectedPairs(const Parameters& parameters, const Grid<D>& gri
     : faults_(parameters.faults),
       path_of_one_(grid.cell_volume() /
                    (M_SQRT2 * parameters.weight * parameters.cross_section * parameters.offset.length())),
-      particles_(grid, periodic, particles / grid.size(), window_particles(PairCount::expected)),
-      pairs_(grid, periodic, particles / grid.size(), window_particles(PairCount::expected)) {}
+      particles_(grid, periodic, particles / grid.size(), kLargeWindow),
+      pairs_(grid, periodic, particles / grid.size(), kLargeWindow) {}
 
 template <int D>
 void ExpectedPairs<D>::update(std::span<const std::uint32_t> offsets) {

@@ -1,5 +1,6 @@
 #include "sim/method/dsmc/family.hpp"
 
+#include "sim/base/error.hpp"
 #include "sim/method/boundary_faults.hpp"
 #include "sim/method/collision_rate.hpp"
 #include "sim/method/dsmc/dsmc.hpp"
@@ -26,6 +27,10 @@ class Builder final : public MethodBuilder<D> {
         grid_(grid_of<D>(scene_, default_particles_per_cell(D, parameters_, density()))),
         motion_(motion_of<D>(with_boundary_fault(scene_, request.fault))) {
     plant(planted_faults(), request.fault, parameters_, D);
+    if (parameters_.partners == Partners::contact && parameters_.faults.any())
+      throw InputError(
+          "the planted fault is one of collisions within a cell; with partners = \"contact\" plant "
+          "another, such as 'partners-at-half-the-distance'");
     parameters_.measure_transfer = request.needs.transfer;
     motion_.offsets = parameters_.offset.any();
   }
@@ -72,8 +77,9 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("contact factor of the local density", parameters_.factor.formula != nullptr);
     plan.feature("offset along the momentum change", parameters_.offset.consistent != 0);
     plan.feature("random offset", parameters_.offset.random != 0);
-    plan.feature("momentum carried by offsets (observer pressure)", parameters_.measure_transfer);
+    plan.feature("momentum carried by collisions (observer pressure)", parameters_.measure_transfer);
     plan.feature("pairs expected by chance", parameters_.pair_count == PairCount::expected);
+    plan.feature("partners a diameter away", parameters_.partners == Partners::contact);
     plan.feature("excluded volume of cells", parameters_.excluded_volume.any());
     plan.feature("fitted impact parameters", parameters_.impact.fitted());
     plan.feature("walls with a rule", !motion_.walls.empty());
@@ -95,7 +101,8 @@ class Builder final : public MethodBuilder<D> {
 
   double bytes_per_particle(double particles) const {
     const double per_cell = (parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8) +
-                            (parameters_.pair_count == PairCount::expected ? 44 : 0);
+                            (parameters_.pair_count == PairCount::expected ? 44 : 0) +
+                            (parameters_.partners == Partners::contact ? 4 + sizeof(VelocityBox<D>) : 0);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
            (parameters_.excluded_volume.any() ? 5 : 0) +
            (per_cell + (parameters_.excluded_volume.any() ? 21 + 8 * D : 0)) * grid_.size() / particles;
@@ -105,10 +112,13 @@ class Builder final : public MethodBuilder<D> {
     if (const double deficit = expected_pair_deficit(D, parameters_, density(), plan.particles_per_cell);
         deficit > 0.01)
       plan.warnings.push_back(fmt::format(
-          "about {:.2g}% of the collisions and of their pressure are missing: offsets take partners "
-          "out of cells of {:.3g} particles; use {:.0f} a cell, or pair-count = \"expected\"",
-          100 * deficit, plan.particles_per_cell,
-          std::ceil(default_particles_per_cell(D, parameters_, density()))));
+          "about {:.2g}% of the collisions and of their pressure are missing: {} cells of {:.3g} particles; "
+          "use {:.0f} a cell, or {}",
+          100 * deficit,
+          parameters_.partners == Partners::contact ? "partners push each other apart in"
+                                                    : "offsets take partners out of",
+          plan.particles_per_cell, std::ceil(default_particles_per_cell(D, parameters_, density())),
+          parameters_.partners == Partners::contact ? "lower 'method.weight'" : "pair-count = \"expected\""));
     if (plan.cell_size_in_mean_free_paths > 1)
       plan.warnings.push_back(
           fmt::format("cells are {:.2g} mean free paths wide: transport is smeared over more than a free "

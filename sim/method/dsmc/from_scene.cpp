@@ -47,7 +47,8 @@ template <int D>
 Grid<D> grid_of(const Scene& scene, double particles_per_cell) {
   const DsmcOptions& options = options_of(scene);
   if (!options.cells.empty() || options.cell_size) return grid_of_cells<D>(scene, cells_along(scene));
-  return grid_of_edge<D>(scene, edge_for(scene, particles_per_cell));
+  return grid_of_cells<D>(
+      scene, cells_of_edge(scene, std::max(edge_for(scene, particles_per_cell), least_cell_edge(scene))));
 }
 
 template <int D>
@@ -65,6 +66,7 @@ Parameters parameters_of(const Scene& scene) {
   parameters.excluded_volume = excluded_volume_of(D, options);
   parameters.impact.coefficient = {options.impact_coefficient.at, options.impact_coefficient.value};
   if (options.pair_count == sandglass::PairCount::expected) parameters.pair_count = PairCount::expected;
+  if (options.partners == sandglass::Partners::contact) parameters.partners = Partners::contact;
   if (options.contact_factor == ContactFactor::local)
     parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed};
   return parameters;

@@ -13,8 +13,7 @@ LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const Gr
       fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) /
                              grid.cell_volume()),
       densest_(D == 2 ? M_PI / std::sqrt(12.0) : M_PI / std::sqrt(18.0)),
-      window_(grid, periodic, particles / grid.size(),
-              smoothed_ ? window_particles(parameters.pair_count) : 0),
+      window_(grid, periodic, particles / grid.size(), smoothed_ ? window_particles(parameters) : 0),
       factor_(grid.size()) {}
 
 template <int D>

@@ -15,9 +15,13 @@ inline double particle_volume(int dimension, double diameter) {
   return dimension == 2 ? M_PI / 4 * diameter * diameter : M_PI / 6 * std::pow(diameter, 3);
 }
 
-/// Particles that a window holds at least. It scatters less than chance where offsets push particles apart, which takes
-/// about one in its number from the rate: expected pairs are worth a larger one.
-inline double window_particles(PairCount count) { return count == PairCount::expected ? 400 : 100; }
+/// Particles that a window holds at least. It scatters less than chance where offsets or partners at contact push particles
+/// apart, which takes about one in its number from the rate: where little else is missing, a larger one is worth it.
+constexpr double kWindow = 100, kLargeWindow = 400;
+inline double window_particles(const Parameters& parameters) {
+  const bool large = parameters.pair_count == PairCount::expected || parameters.partners == Partners::contact;
+  return large ? kLargeWindow : kWindow;
+}
 
 /// Contact factor of every cell from the local density.
 ///

@@ -17,9 +17,11 @@ struct Gas {
   double contact(double fraction) const {
     return parameters.factor.formula == nullptr ? 1 : parameters.factor.formula(fraction).value;
   }
-  /// Pressure of the offsets over that of free flight; r = 1 and an offset of one diameter give that of hard cores.
+  /// Collisional pressure over that of free flight; r = 1 and an offset of one diameter give that of hard cores.
   double collisional(double fraction) const {
-    const double length = parameters.offset.consistent / parameters.diameter * parameters.restitution;
+    const double length = parameters.partners == Partners::contact
+                              ? (1 + parameters.restitution) / 2
+                              : parameters.offset.consistent / parameters.diameter * parameters.restitution;
     return std::exp2(dimension - 1) * fraction * contact(fraction) * length;
   }
   /// d(fraction f)/d fraction.
@@ -41,24 +43,33 @@ double in_window(int dimension, double per_cell, double wanted) {
 double of_cell(double missing, double offset, double path, double edge, double per_cell) {
   return 0.745 * missing / (1 + 0.87 * offset / edge + 0.34 * path * offset / (edge * edge)) / per_cell;
 }
+/// The same for partners at contact, of a gas whose collisional pressure rises by `slope` with density.
+double of_surroundings(int dimension, double slope, double edge, double per_cell) {
+  const double near = std::pow(2.0 / 3, dimension) * slope;
+  return near / (1 + 1.6 * near) / (1 + 1.45 * dimension * std::pow(edge, -2.5)) / per_cell;
+}
 }  // namespace
 
 double expected_pair_deficit(int dimension, const Parameters& parameters, double number_density,
                              double particles_per_cell) {
   const double offset = parameters.offset.length();
-  if (parameters.offset.consistent == 0 || number_density <= 0) return 0;
+  const bool contact_partners = parameters.partners == Partners::contact;
+  if ((parameters.offset.consistent == 0 && !contact_partners) || number_density <= 0) return 0;
   const Gas gas{dimension, parameters};
   const double fraction = number_density * particle_volume(dimension, parameters.diameter);
   const double contact = gas.contact(fraction);
   const double slope = gas.slope(fraction, [&](double nu) { return gas.collisional(nu); });
   const double missing = slope / (1 + slope);
   const double growth = gas.slope(fraction, [&](double nu) { return gas.contact(nu); }) / contact - 1;
-  const double window = in_window(dimension, particles_per_cell, window_particles(parameters.pair_count));
+  const double window = in_window(dimension, particles_per_cell, window_particles(parameters));
   if (parameters.pair_count == PairCount::expected) return missing * (1 + 2 * growth) / window;
-  const double path = 1 / (M_SQRT2 * number_density * parameters.cross_section * contact);
+  const double scatter = 2 * missing * growth / window;
   const double edge = std::pow(particles_per_cell * parameters.weight / number_density, 1.0 / dimension);
+  if (contact_partners)
+    return of_surroundings(dimension, slope, edge / parameters.diameter, particles_per_cell) + scatter;
+  const double path = 1 / (M_SQRT2 * number_density * parameters.cross_section * contact);
   return weight_of_missing_pairs(path / offset) * of_cell(missing, offset, path, edge, particles_per_cell) +
-         2 * missing * growth / window;
+         scatter;
 }
 
 double default_particles_per_cell(int dimension, const Parameters& parameters, double number_density) {

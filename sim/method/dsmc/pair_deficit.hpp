@@ -15,6 +15,9 @@ namespace sandglass::dsmc {
 /// c and the dependence on L are fitted to runs of the elastic gas (fractions 0.05 to 0.3, 3 to 20 particles a cell of
 /// 0.7 to 5.6 diameters, offsets of 0.5 to 1.5): within 15% of what is missing, or 0.3% of the rate, and above it where
 /// particles cross a cell in one step. With expected pairs only the scatter of the window is left.
+///
+/// Partners at contact push each other apart in the same way, and miss pairs by the same two parts. There the first follows
+/// from the pair correlation of linear theory (docs/theory.md), within 12% of its integral.
 double expected_pair_deficit(int dimension, const Parameters& parameters, double number_density,
                              double particles_per_cell);
 

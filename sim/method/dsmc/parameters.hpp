@@ -39,6 +39,9 @@ struct Impact {
   bool fitted() const { return !coefficient.empty(); }
 };
 
+/// Where the partner of a collision is looked for. contact: a diameter away, see ContactPartners.
+enum class Partners { cell, contact };
+
 /// Faults that the mutant suite plants; all at their honest values otherwise.
 struct Faults {
   double bound = 1;          ///< factor on the bound of relative speeds
@@ -51,7 +54,9 @@ struct Faults {
   double heat_share = 1;            ///< of the energy that collisions of cells take, given back
   bool colours_fixed = false;       ///< the checkerboard of full cells does not swap
   bool room_updated = false;        ///< a cell fills up as its particles arrive, in the order of work
-  /// Of the collision kernel; the others are those of a cell.
+  double reach = 1;                 ///< factor on the distance at which Partners::contact looks
+  double contact_place = 0.5;  ///< where on the line of centres Partners::contact reads the contact value
+  /// Of the collision kernel within cells; the others are those of their owners.
   bool any() const {
     return bound != 1 || momentum_leak != 0 || impact != 1 || acceptance_inverted || fraction_truncated;
   }
@@ -66,6 +71,7 @@ struct Parameters {
   double weight = 1;  ///< real particles per simulated one
   LocalFactor factor;
   PairCount pair_count = PairCount::counted;
+  Partners partners = Partners::cell;
   Offset offset;
   ExcludedVolume excluded_volume;
   Impact impact;

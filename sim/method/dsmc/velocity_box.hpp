@@ -28,6 +28,10 @@ class VelocityBox {
     low_ = velocity < low_ ? velocity : low_;
     high_ = velocity > high_ ? velocity : high_;
   }
+  void include(const VelocityBox& other) {
+    include(other.low_);
+    include(other.high_);
+  }
   double square_diagonal() const {
     const Real edge = high_ - low_;
     const Real square = edge * edge;

@@ -28,7 +28,8 @@ Guard guard_of(const Method& method) {
 
 bool loses_pairs(const Scene& scene) {
   const auto get = [](const auto& options) -> decltype(options.pair_count == PairCount::counted) {
-    return options.offset != Offset::none && options.pair_count == PairCount::counted;
+    return options.partners == Partners::contact ||
+           (options.offset != Offset::none && options.pair_count == PairCount::counted);
   };
   return choice(scene.method, false, get);
 }
@@ -56,9 +57,29 @@ bool has_full_cells(const Scene& scene) {
   return choice(scene.method, false, get);
 }
 
+double least_cell_edge(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.partners == Partners::contact) {
+    return options.partners == Partners::contact;
+  };
+  double widest = 0;
+  if (choice(scene.method, false, get))
+    for (const Species& species : scene.species) widest = std::max(widest, species.diameter);
+  return widest;
+}
+
+namespace {
+/// The most cells of at least this edge; as many as wanted where there is no such edge.
+double at_most(double wanted, double size, double least) {
+  double cells = least > 0 ? std::min(wanted, std::floor(size / least)) : wanted;
+  while (cells > 1 && cells * least > size) --cells;
+  return std::max(1.0, cells);
+}
+}  // namespace
+
 std::vector<double> cells_of_edge(const Scene& scene, double edge) {
   std::vector<double> numbers;
-  for (const double length : scene.domain.size) numbers.push_back(std::max(1.0, std::round(length / edge)));
+  for (const double length : scene.domain.size)
+    numbers.push_back(at_most(std::round(length / edge), length, least_cell_edge(scene)));
   return numbers;
 }
 

@@ -56,6 +56,7 @@ void read(Table& table, MethodOptions& options) {
   table.read_word("offset", "offset", dsmc.offset, offset_words());
   read_random_offset(table, dsmc);
   table.read_word("pair-count", "pair count", dsmc.pair_count, pair_count_words());
+  table.read_word("partners", "choice of partners", dsmc.partners, partners_words());
   read_excluded_volume(table, dsmc);
   read_impact(table, dsmc);
   table.read("cells", dsmc.cells);
@@ -70,6 +71,7 @@ void write(Lines& lines, const MethodOptions& options) {
   lines.add("offset", word_of(offset_words(), dsmc.offset));
   if (dsmc.offset == Offset::random) lines.add("random-offset", dsmc.random_offset);
   lines.add("pair-count", word_of(pair_count_words(), dsmc.pair_count));
+  lines.add("partners", word_of(partners_words(), dsmc.partners));
   write_excluded_volume(lines, dsmc);
   write_impact(lines, dsmc);
   if (!dsmc.cells.empty()) lines.add("cells", dsmc.cells);
@@ -106,6 +108,7 @@ void check(const Scene& scene, Diagnostics& diagnostics) {
         "method",
         "with a [[source]] the number of particles changes, and the cells cannot follow from that at "
         "the start: give 'method.cells' or 'method.cell-size'");
+  check_partners(scene, dsmc, diagnostics);
 }
 
 Preset preset(const char* name, const char* summary, ContactFactor factor, Offset offset,
@@ -132,6 +135,13 @@ Preset hybrid(const char* name, const char* summary, const HybridChoices& choice
   options.entry = choices.entry;
   options.impact = choices.impact;
   options.offset_in_full_cells = choices.offset_in_full_cells;
+  return {{name, summary}, options};
+}
+
+Preset at_contact(const char* name, const char* summary) {
+  DsmcOptions options;
+  options.contact_factor = ContactFactor::local;
+  options.partners = Partners::contact;
   return {{name, summary}, options};
 }
 
@@ -166,6 +176,8 @@ MethodFamily make_family() {
           "cba-expected-pairs",
           "cba that takes its candidates from the pairs expected by chance: right with few particles a cell",
           ContactFactor::local, Offset::consistent, PairCount::expected),
+      at_contact("esmc",
+                 "Enskog simulation Monte Carlo: partners a diameter away, contact value at the midpoint"),
       hybrid("hsmc",
              "hybrid simulation Monte Carlo: cba, and cells take in no more than the densest packing"),
       hybrid("hsmc-ramp", "hsmc where a cell is the harder to enter the fuller it is",
@@ -180,6 +192,7 @@ MethodFamily make_family() {
                  "offset",
                  "random-offset",
                  "pair-count",
+                 "partners",
                  "excluded-volume",
                  "densest-fraction",
                  "entry",

@@ -14,6 +14,7 @@ const Words<ContactFactor>& contact_factor_words();
 const Words<DensityEstimate>& density_words();
 const Words<Offset>& offset_words();
 const Words<PairCount>& pair_count_words();
+const Words<Partners>& partners_words();
 
 // Excluded volume of cells, and the distribution of impact parameters: their keys of [method].
 void read_excluded_volume(Table& table, DsmcOptions& dsmc);
@@ -22,6 +23,9 @@ void check_excluded_volume(const Scene& scene, const DsmcOptions& dsmc, Diagnost
 void read_impact(Table& table, DsmcOptions& dsmc);
 void write_impact(Lines& lines, const DsmcOptions& dsmc);
 void check_impact(const DsmcOptions& dsmc, Diagnostics& diagnostics);
+
+/// Reports what cannot go with partners at contact.
+void check_partners(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics);
 
 /// Reports a curve whose places do not rise, or whose lists differ in length; true when it is sound.
 bool check_curve(const Curve& curve, const std::string& path, const std::string& places,
