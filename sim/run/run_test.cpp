@@ -311,8 +311,8 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   few.species[0].fraction = 0.3;
   few.run.duration.steps = 300;
   std::map<std::string, std::vector<Scene>> scenes;
-  for (const Scene& scene :
-       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam(), crowd(), at_contact()})
+  for (const Scene& scene : {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"),
+                             beam(), crowd(), at_contact()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))

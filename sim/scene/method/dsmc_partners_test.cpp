@@ -20,11 +20,11 @@ what = "energy"
 every = { time = 1.0 }
 )";
 
-class PartnersScene : public testing::TestWithParam<Fault> {};
+class PartnersScene : public testing::TestWithParam<BadEdit> {};
 
-TEST_P(PartnersScene, RefusesWhatCannotBe) { expect_fault(good, GetParam()); }
+TEST_P(PartnersScene, RefusesWhatCannotBe) { expect_refused(good, GetParam()); }
 
-const std::vector<Fault> edits = {
+const std::vector<BadEdit> edits = {
     {"no_such_partner",
      "cells =",
      "partners = \"contacts\"\ncells =",
@@ -64,7 +64,7 @@ const std::vector<Fault> edits = {
      {"an edge of 10", "at least a diameter (12)"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Edits, PartnersScene, testing::ValuesIn(edits), fault_name);
+INSTANTIATE_TEST_SUITE_P(Edits, PartnersScene, testing::ValuesIn(edits), edit_name);
 
 Scene with(const std::string& old, const std::string& now) {
   std::string text = good;
