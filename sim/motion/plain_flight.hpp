@@ -42,20 +42,37 @@ class PlainFlight {
     double* components = particle.position.data();
     const typename Lane::Real start = Lane::load(components), velocity = Lane::load(components + D);
     const typename Lane::Real position = flight_.template end<Gravity>(start, velocity);
-    bool stays = flight_.inside(position);
-    if constexpr (Sides == Walls::specular) {
-      // Gravity bends the path away from its tangent and no further than the chord from start to end.
-      if constexpr (Gravity) stays = stays && flight_.inside(flight_.template end<false>(start, velocity));
-      if (parameters_.offsets) stays = stays && flight_.inside(start);
-    }
-    if (!stays) [[unlikely]]
+    if (!stays(start, velocity, position)) [[unlikely]]
       return fly_bounded(parameters_, box_, dt_, Counts ? parameters_.impulses : nullptr, particle);
     Lane::store(components, position);
     if constexpr (Gravity) Lane::store(components + D, velocity + flight_.gain());
     return position;
   }
 
+  /// Where fly() would end.
+  [[gnu::always_inline]] typename Lane::Real look(const Phase<D>& particle, std::size_t) const {
+    const double* components = particle.position.data();
+    const typename Lane::Real start = Lane::load(components), velocity = Lane::load(components + D);
+    const typename Lane::Real position = flight_.template end<Gravity>(start, velocity);
+    if (stays(start, velocity, position)) [[likely]]
+      return position;
+    Phase<D> copy = particle;
+    return fly_bounded(parameters_, box_, dt_, nullptr, copy);
+  }
+
  private:
+  /// The whole path is inside the box.
+  [[gnu::always_inline]] bool stays(const typename Lane::Real& start, const typename Lane::Real& velocity,
+                                    const typename Lane::Real& position) const {
+    bool stays = flight_.inside(position);
+    if constexpr (Sides == Walls::specular) {
+      // Gravity bends the path away from its tangent and no further than the chord from start to end.
+      if constexpr (Gravity) stays = stays && flight_.inside(flight_.template end<false>(start, velocity));
+      if (parameters_.offsets) stays = stays && flight_.inside(start);
+    }
+    return stays;
+  }
+
   // Static: an object that no function sees stays in registers.
   [[gnu::noinline]] static typename Lane::Real fly_bounded(const Surroundings& parameters,
                                                            const Vector<D>& box, double dt,

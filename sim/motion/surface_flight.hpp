@@ -48,9 +48,7 @@ class SurfaceFlight {
     double* components = particle.position.data();
     const Real start = Lane::load(components), velocity = Lane::load(components + D);
     const Real end = free_.template end<true>(start, velocity);
-    // The path lies within its start, its end and the end of its tangent.
-    const Real tangent = free_.template end<false>(start, velocity);
-    if (!(inside(start) && inside(end) && inside(tangent) && clear(start, end, tangent))) [[unlikely]]
+    if (!stays(start, velocity, end)) [[unlikely]]
       return fly_bounded<Counts>(particle, i);
     if constexpr (Counts)
       if (surfaces_.parameters.planes != nullptr) count_crossings(start, end, velocity);
@@ -59,7 +57,23 @@ class SurfaceFlight {
     return in_box(end);
   }
 
+  /// Where fly() would end.
+  [[gnu::always_inline]] Real look(const Phase<D>& particle, std::size_t i) const {
+    const double* components = particle.position.data();
+    const Real start = Lane::load(components), velocity = Lane::load(components + D);
+    const Real end = free_.template end<true>(start, velocity);
+    if (stays(start, velocity, end)) [[likely]]
+      return in_box(end);
+    Phase<D> copy = particle;
+    return fly_bounded<false>(copy, i);
+  }
+
  private:
+  /// The path lies within its start, its end and the end of its tangent.
+  [[gnu::always_inline]] bool stays(const Real& start, const Real& velocity, const Real& end) const {
+    const Real tangent = free_.template end<false>(start, velocity);
+    return inside(start) && inside(end) && inside(tangent) && clear(start, end, tangent);
+  }
   bool inside(const Real& position) const {
     return all<D>((position >= low_) & (position < high_));  // false for what is not a number
   }

@@ -36,6 +36,7 @@ class Grid {
 
   /// The nearest position of this cell: for it cell_of() gives the cell, to the last digit.
   void put_into(std::uint32_t cell, Vector<D>& position) const {
+    if (holds(position) && cell_of(position) == cell) return;
     for (int axis = 0; axis < D; ++axis) {
       const std::uint32_t place = cell % cells_[index(axis)];
       cell /= cells_[index(axis)];
@@ -48,6 +49,9 @@ class Grid {
   }
 
  private:
+  bool holds(const Vector<D>& position) const {
+    return (position.array() >= 0).all() && (position.array() <= box_.array()).all();
+  }
   static std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
   std::uint32_t coordinate(const Vector<D>& position, int axis) const {
     const double coordinate = std::max(0.0, position[axis] * per_length_[axis]);

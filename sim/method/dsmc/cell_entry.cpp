@@ -1,7 +1,6 @@
 #include "sim/method/dsmc/cell_entry.hpp"
 
 #include "sim/method/dsmc/local_factor.hpp"
-#include "sim/motion/stream_index.hpp"
 
 namespace sandglass::dsmc {
 
@@ -10,39 +9,24 @@ CellEntry<D>::CellEntry(const Parameters& parameters, const Grid<D>& grid, const
     : full_(full),
       entry_(parameters.excluded_volume.entry),
       fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) /
-                             grid.cell_volume()),
-      in_order_(parameters.faults.room_updated) {}
+                             grid.cell_volume()) {}
+
+template <int D>
+motion::CellEntries CellEntry<D>::entries(std::span<const std::uint32_t> offsets, const StreamKey& key) {
+  if (!entry_.empty()) look_up(offsets);
+  return {full_.flags(), probability_.empty() ? nullptr : probability_.data(), key};
+}
+
+template <int D>
+void CellEntry<D>::look_up(std::span<const std::uint32_t> offsets) {
+  probability_.assign(offsets.size(), 1);  // the last: out of the box
+  for (std::uint32_t cell = 0; cell + 1 < offsets.size(); ++cell)
+    probability_[cell] =
+        static_cast<float>(entry_.at((offsets[cell + 1] - offsets[cell]) * fraction_per_particle_));
+}
 
 template <int D>
 void CellEntry<D>::decide(const motion::Proposals<D>& moves) {
-  if (in_order_) return decide_in_order(moves);
-  if (!entry_.empty()) look_up(moves);
-  for (std::uint32_t cell = 0; cell + 1 < moves.offsets.size(); ++cell)
-    for (std::uint32_t i = moves.offsets[cell]; i < moves.offsets[cell + 1]; ++i)
-      if (moves.targets[i] != cell && !admits(cell, i - moves.offsets[cell], moves.targets[i])) {
-        moves.refused[i] = 1;
-        ++refused_;
-      }
-}
-
-template <int D>
-void CellEntry<D>::look_up(const motion::Proposals<D>& moves) {
-  probability_.assign(moves.grid.size() + 1, 1);  // the last: out of the box
-  for (std::uint32_t cell = 0; cell < moves.grid.size(); ++cell)
-    probability_[cell] = static_cast<float>(
-        entry_.at((moves.offsets[cell + 1] - moves.offsets[cell]) * fraction_per_particle_));
-}
-
-template <int D>
-bool CellEntry<D>::admits(std::uint32_t from, std::uint32_t place, std::uint32_t target) const {
-  if (full_.full(target)) return false;
-  if (probability_.empty() || probability_[target] >= 1) return true;
-  return Random(key_, motion::stream_index(from, place)).uniform() < probability_[target];
-}
-
-/// The planted fault Faults::room_updated.
-template <int D>
-void CellEntry<D>::decide_in_order(const motion::Proposals<D>& moves) {
   std::vector<std::uint32_t> held(moves.grid.size());
   for (std::uint32_t cell = 0; cell < held.size(); ++cell)
     held[cell] = moves.offsets[cell + 1] - moves.offsets[cell];
@@ -51,10 +35,12 @@ void CellEntry<D>::decide_in_order(const motion::Proposals<D>& moves) {
       const std::uint32_t target = moves.targets[i];
       if (target == cell || target == moves.grid.size()) continue;
       moves.refused[i] = held[target] >= full_.capacity();
-      if (moves.refused[i])
+      if (moves.refused[i]) {
         ++refused_;
-      else
-        --held[cell], ++held[target];
+      } else {
+        --held[cell];
+        ++held[target];
+      }
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/dsmc/full_cells.hpp"
+#include "sim/motion/entry_stage.hpp"
 #include "sim/motion/refusable_motion.hpp"
 
 namespace sandglass::dsmc {
@@ -12,8 +13,10 @@ class CellEntry final : public motion::EntryRule<D> {
  public:
   CellEntry(const Parameters& parameters, const Grid<D>& grid, const FullCells<D>& full);
 
-  /// Names the streams of the coming moves.
-  void begin_step(const StreamKey& key) { key_ = key; }
+  /// For the flight in one pass; the probabilities are those of particles that stand as `offsets` says.
+  /// `key` names their draws.
+  motion::CellEntries entries(std::span<const std::uint32_t> offsets, const StreamKey& key);
+  /// For the flight in two passes, which the planted fault of updated room needs.
   void decide(const motion::Proposals<D>& moves) override;
 
   std::uint64_t& refused() { return refused_; }
@@ -21,15 +24,11 @@ class CellEntry final : public motion::EntryRule<D> {
   std::size_t bytes() const { return probability_.capacity() * sizeof(float); }
 
  private:
-  void look_up(const motion::Proposals<D>& moves);
-  bool admits(std::uint32_t from, std::uint32_t place, std::uint32_t target) const;
-  void decide_in_order(const motion::Proposals<D>& moves);
+  void look_up(std::span<const std::uint32_t> offsets);
 
   const FullCells<D>& full_;
   Curve entry_;
   double fraction_per_particle_;
-  bool in_order_;
-  StreamKey key_;
   std::vector<float> probability_;  ///< to enter each cell; empty where it is one
   std::uint64_t refused_ = 0;       ///< moves since time zero
 };

@@ -46,8 +46,7 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
   const motion::MotionStep motion = this->motion_step(dt, step);
   const CollisionStep<D> collisions = collision_step(dt, key);
   if (excluded_ && excluded_->refuses()) {
-    collisions_->collide(collisions, 0, store_.grid().size());
-    excluded_->advance(store_, motion, {streams_.seed, Purpose::entry, streams_.replica, step});
+    collide_and_enter(motion, collisions, {streams_.seed, Purpose::entry, streams_.replica, step});
   } else if (contact_) {
     contact_->collide(collisions);
     move(motion);
@@ -86,7 +85,8 @@ void Dsmc<D>::move(const motion::MotionStep& motion) {
 }
 
 template <int D>
-void Dsmc<D>::collide_and_move(const motion::MotionStep& motion, const CollisionStep<D>& collisions) {
+template <class Move>
+void Dsmc<D>::collide_and(const CollisionStep<D>& collisions, Move move) {
   const auto offsets = store_.offsets();
   const auto cells = static_cast<std::uint32_t>(offsets.size() - 1);
   store_.begin_step();
@@ -94,9 +94,29 @@ void Dsmc<D>::collide_and_move(const motion::MotionStep& motion, const Collision
     std::uint32_t last = first + 1;
     while (last < cells && offsets[last] - offsets[first] < kBlock) ++last;
     collisions_->collide(collisions, first, last);
-    this->fly(offsets[first], offsets[last], motion);
+    move(first, last);
     first = last;
   }
+}
+
+template <int D>
+void Dsmc<D>::collide_and_move(const motion::MotionStep& motion, const CollisionStep<D>& collisions) {
+  collide_and(collisions, [&](std::uint32_t first, std::uint32_t last) {
+    this->fly(store_.offsets()[first], store_.offsets()[last], motion);
+  });
+}
+
+template <int D>
+void Dsmc<D>::collide_and_enter(const motion::MotionStep& motion, const CollisionStep<D>& collisions,
+                                const StreamKey& key) {
+  if (excluded_->in_order()) {
+    collisions_->collide(collisions, 0, store_.grid().size());
+    return excluded_->advance_in_order(store_, motion);
+  }
+  excluded_->begin_moves(store_.offsets(), key);
+  collide_and(collisions, [&](std::uint32_t first, std::uint32_t last) {
+    excluded_->advance(store_, first, last, motion);
+  });
 }
 
 template <int D>

@@ -40,6 +40,11 @@ class Dsmc final : public CellSimulator<D> {
   double impact_coefficient() const;
   CollisionStep<D> collision_step(double dt, const StreamKey& key);
   void move(const motion::MotionStep& motion);
+  /// Collides the cells and calls move(first cell, last cell) block by block.
+  template <class Move>
+  void collide_and(const CollisionStep<D>& collisions, Move move);
+  void collide_and_enter(const motion::MotionStep& motion, const CollisionStep<D>& collisions,
+                         const StreamKey& key);
   void collide_and_move(const motion::MotionStep& motion, const CollisionStep<D>& collisions);
 
   Parameters parameters_;

@@ -10,7 +10,10 @@ ExcludedVolumeOfCells<D>::ExcludedVolumeOfCells(const Parameters& parameters,
       stage_(std::make_unique<CellCollisions<D>>(parameters, grid, full_)),
       collisions_(stage_.get()),
       entry_(parameters, grid, full_),
-      motion_(motion, grid.box()),
+      motion_(motion::make_entry_stage<D>(motion, grid.box())),
+      in_order_(parameters.faults.room_updated
+                    ? std::make_unique<motion::RefusableMotion<D>>(motion, grid.box())
+                    : nullptr),
       everywhere_(parameters.excluded_volume.offset_in_full_cells),
       certain_entry_(parameters.excluded_volume.entry.empty()) {}
 

@@ -24,24 +24,33 @@ class ExcludedVolumeOfCells {
   bool refuses() const { return full_.any() || !certain_entry_; }
   /// Per cell, not zero where partners are not displaced; null where all are.
   const std::uint8_t* still() const { return everywhere_ || !full_.any() ? nullptr : full_.flags(); }
-  void advance(ParticleStore<D>& store, const motion::MotionStep& step, const StreamKey& key) {
-    entry_.begin_step(key);
-    motion_.advance(store, step, entry_);
+  /// Before the moves of a step; `key` names their draws.
+  void begin_moves(std::span<const std::uint32_t> offsets, const StreamKey& key) {
+    entries_ = entry_.entries(offsets, key);
+  }
+  void advance(ParticleStore<D>& store, std::uint32_t first_cell, std::uint32_t last_cell,
+               const motion::MotionStep& step) {
+    entry_.refused() += motion_->advance(store, first_cell, last_cell, step, entries_);
+  }
+  /// The planted fault Faults::room_updated: all particles at once, one after the other.
+  bool in_order() const { return in_order_ != nullptr; }
+  void advance_in_order(ParticleStore<D>& store, const motion::MotionStep& step) {
+    in_order_->advance(store, step, entry_);
   }
 
   std::map<std::string, double> counters() const;
   void save(Memory& memory) const;
   void load(const Memory& memory);
-  std::size_t bytes() const {
-    return full_.bytes() + entry_.bytes() + motion_.bytes() + collisions_->bytes();
-  }
+  std::size_t bytes() const { return full_.bytes() + entry_.bytes() + collisions_->bytes(); }
 
  private:
   FullCells<D> full_;
   std::unique_ptr<CellCollisions<D>> stage_;
   CellCollisions<D>* collisions_;
   CellEntry<D> entry_;
-  motion::RefusableMotion<D> motion_;
+  motion::CellEntries entries_ = {};
+  std::unique_ptr<motion::EntryStage<D>> motion_;
+  std::unique_ptr<motion::RefusableMotion<D>> in_order_;  ///< null: honest
   bool everywhere_, certain_entry_;
 };
 

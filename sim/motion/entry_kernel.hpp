@@ -1,0 +1,50 @@
+#pragma once
+
+#include "sim/motion/entry_stage.hpp"
+#include "sim/motion/stream_index.hpp"
+
+namespace sandglass::motion {
+
+/// The loop over the particles of each cell: a `Flight` looks where one would end, and flies it there if it may.
+template <class Flight, bool Counts, int D = Flight::kDimension>
+class EntryKernel final : public EntryStage<D> {
+ public:
+  EntryKernel(typename Flight::Surroundings surroundings, bool offsets)
+      : surroundings_(std::move(surroundings)), offsets_(offsets) {}
+
+  std::uint64_t advance(ParticleStore<D>& store, std::uint32_t first, std::uint32_t last,
+                        const MotionStep& step, const CellEntries& entries) const override {
+    const typename Flight::Locator locator(store.grid());
+    const auto offsets = store.offsets();
+    const Flight flight(surroundings_, store.grid().box(), step, offsets);
+    Phase<D>* particles = store.phases().data();
+    auto* places = store.places();
+    std::uint32_t* arrivals = store.arrivals();
+    std::uint64_t refused = 0;
+    for (std::uint32_t cell = first; cell < last; ++cell)
+      for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i) {
+        std::uint32_t to = locator.cell_of(flight.look(particles[i], i));
+        if (to == cell || admits(entries, to, cell, i - offsets[cell])) {
+          flight.template fly<Counts>(particles[i], i);
+        } else {
+          to = cell;
+          ++refused;
+          if (offsets_) store.grid().put_into(cell, particles[i].position);
+        }
+        places[i] = {to, arrivals[to]++};
+      }
+    return refused;
+  }
+
+ private:
+  static bool admits(const CellEntries& entries, std::uint32_t to, std::uint32_t from, std::uint32_t place) {
+    if (entries.full[to] != 0) return false;
+    if (entries.probability == nullptr || entries.probability[to] >= 1) return true;
+    return Random(entries.key, stream_index(from, place)).uniform() < entries.probability[to];
+  }
+
+  typename Flight::Surroundings surroundings_;
+  bool offsets_;
+};
+
+}  // namespace sandglass::motion
