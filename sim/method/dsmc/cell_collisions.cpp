@@ -10,6 +10,15 @@ namespace sandglass::dsmc {
 
 namespace {
 
+/// Of the heat. Seen from the centre of mass each cell loses in proportion to the mass of the other; a cell without relative
+/// motion gives its share to its partner.
+double share_of_first(double share, double thermal_1, double thermal_2) {
+  if (thermal_1 == 0) return 0;
+  return thermal_2 == 0 ? 1 : share;
+}
+
+/// Above it the rounding of a mean shows in the momentum.
+constexpr double kLargeFactor = 4;
 /// Relative velocities count as none below the rounding of a mean of as many numbers, and where their growth would
 /// overflow.
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon(), kOverflow = 1e-200;
@@ -27,15 +36,14 @@ Vector<D> mean_velocity(std::span<const Phase<D>> particles) {
   return sum / static_cast<double>(particles.size());
 }
 
-/// Whether the particles have no relative motion that can grow by this sum of squares.
+/// Sum of |v - mean|^2 over the particles; 0 where it is nothing but rounding, or could not grow by `square`.
 template <int D>
-bool cold(std::span<const Phase<D>> particles, double square) {
-  const Vector<D> mean = mean_velocity<D>(particles);
+double thermal_square(std::span<const Phase<D>> particles, const Vector<D>& mean, double square) {
   double thermal = 0;
   for (const Phase<D>& particle : particles) thermal += (particle.velocity - mean).squaredNorm();
   const auto count = static_cast<double>(particles.size());
   const double rounding = kRounding * count * mean.norm();
-  return thermal <= std::max(count * rounding * rounding, kOverflow * square);
+  return thermal > std::max(count * rounding * rounding, kOverflow * square) ? thermal : 0;
 }
 
 template <int D>
@@ -46,7 +54,7 @@ void shift(std::span<Phase<D>> particles, const Vector<D>& change) {
 /// v' = mean + k (v - mean), Eq. 2.26, with k such that the sum of |v - mean|^2 grows by `square`. However large k, the
 /// mean keeps: what rounding has left of it in the relative velocities is taken out before it is multiplied.
 template <int D>
-void stretch(std::span<Phase<D>> particles, double square) {
+void stretch_cold(std::span<Phase<D>> particles, double square) {
   const Vector<D> mean = mean_velocity<D>(particles);
   shift<D>(particles, -mean);
   shift<D>(particles, -mean_velocity<D>(particles));
@@ -54,6 +62,19 @@ void stretch(std::span<Phase<D>> particles, double square) {
   for (const Phase<D>& particle : particles) thermal += particle.velocity.squaredNorm();
   const double factor = std::sqrt(1 + square / thermal);
   for (Phase<D>& particle : particles) particle.velocity = mean + factor * particle.velocity;
+}
+
+/// Moves the mean on by `change` and lets the sum of |v - mean|^2 grow by `square`, from `thermal`.
+template <int D>
+void move_on(std::span<Phase<D>> particles, const Vector<D>& mean, const Vector<D>& change, double thermal,
+             double square) {
+  const double factor = square > 0 ? std::sqrt(1 + square / thermal) : 1;
+  if (factor > kLargeFactor) {
+    shift<D>(particles, change);
+    return stretch_cold<D>(particles, square);
+  }
+  const Vector<D> moved = mean + change;
+  for (Phase<D>& particle : particles) particle.velocity = moved + factor * (particle.velocity - mean);
 }
 
 }  // namespace
@@ -107,34 +128,22 @@ void CellCollisions<D>::collide(const CellStep<D>& step, std::uint32_t first, st
   const auto one = particles_of(step, first), two = particles_of(step, second);
   const double mass_1 = mass_ * static_cast<double>(one.size()),
                mass_2 = mass_ * static_cast<double>(two.size());
-  const Vector<D> relative = step.fields.velocity[first] - step.fields.velocity[second];
+  const Vector<D>&mean_1 = step.fields.velocity[first], &mean_2 = step.fields.velocity[second];
+  const Vector<D> relative = mean_1 - mean_2;
   Random random(step.key, (std::uint64_t{1} << 32) + first);  // cells alone draw from indices below 2^32
   const Vector<D> normal = contact_normal(relative, 1 / relative.norm(), uniform_impact<D>(random));
   const double speed = relative.dot(normal), reduced = mass_1 * mass_2 / (mass_1 + mass_2);
   const Vector<D> impulse = -(1 + restitution_) * reduced * speed * normal;
-  shift<D>(one, impulse / mass_1);
-  shift<D>(two, -impulse / mass_2);
+  const double heat = 0.5 * heat_share_ * reduced * (1 - restitution_ * restitution_) * speed * speed;
+  const double square = 2 * heat / mass_;
+  const double thermal_1 = thermal_square<D>(one, mean_1, square),
+               thermal_2 = thermal_square<D>(two, mean_2, square);
+  const double share = heat > 0 ? share_of_first(mass_2 / (mass_1 + mass_2), thermal_1, thermal_2) : 0;
+  const bool lost = thermal_1 == 0 && thermal_2 == 0;
+  move_on<D>(one, mean_1, impulse / mass_1, thermal_1, lost ? 0 : share * square);
+  move_on<D>(two, mean_2, -impulse / mass_2, thermal_2, lost ? 0 : (1 - share) * square);
   ++count_.collisions;
-  const double lost = 0.5 * reduced * (1 - restitution_ * restitution_) * speed * speed;
-  // Seen from the centre of mass each cell loses in proportion to the mass of the other.
-  if (lost > 0) give_back(one, two, mass_2 / (mass_1 + mass_2), heat_share_ * lost);
-}
-
-/// `share` of the energy goes to the first cell; all of it to one of the two where the other has no relative motion.
-template <int D>
-void CellCollisions<D>::give_back(std::span<Phase<D>> first, std::span<Phase<D>> second, double share,
-                                  double energy) {
-  const double square = 2 * energy / mass_;
-  const bool cold_1 = cold<D>(first, square), cold_2 = cold<D>(second, square);
-  if (cold_1 && cold_2) {
-    count_.heat_lost += energy;
-    return;
-  }
-  if (cold_1) share = 0;
-  if (cold_2) share = 1;
-  count_.heat += energy;
-  if (share > 0) stretch<D>(first, share * square);
-  if (share < 1) stretch<D>(second, (1 - share) * square);
+  (lost ? count_.heat_lost : count_.heat) += heat;
 }
 
 template class CellCollisions<2>;

@@ -43,7 +43,6 @@ class CellCollisions final : public CellStage<D> {
   bool active(const CellStep<D>& step, std::uint32_t cell) const;
   void choose(const CellStep<D>& step, std::uint32_t cell);
   void collide(const CellStep<D>& step, std::uint32_t first, std::uint32_t second);
-  void give_back(std::span<Phase<D>> first, std::span<Phase<D>> second, double share, double energy);
 
   const FullCells<D>& full_;
   double mass_, restitution_, heat_share_;
