@@ -42,7 +42,7 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
   const StreamKey key(streams_.seed, purpose_, streams_.replica, step);
   if (excluded_) excluded_->mark(store_.offsets());
   stages_.apply(store_, key, step, dt);
-  if (factor_) factor_->update(store_.offsets());
+  if (factor_) factor_->update(store_.offsets(), excluded_ ? excluded_->full() : nullptr);
   const motion::MotionStep motion = this->motion_step(dt, step);
   const CollisionStep<D> collisions = collision_step(dt, key);
   if (excluded_ && excluded_->refuses()) {

@@ -22,6 +22,8 @@ class ExcludedVolumeOfCells {
   void mark(std::span<const std::uint32_t> offsets) { full_.update(offsets); }
   /// Whether moves may be refused in this step: some cell is full, or entry is not certain.
   bool refuses() const { return full_.any() || !certain_entry_; }
+  /// Per cell, not zero where it is full; null where none is.
+  const std::uint8_t* full() const { return full_.any() ? full_.flags() : nullptr; }
   /// Per cell, not zero where partners are not displaced; null where all are.
   const std::uint8_t* still() const { return everywhere_ || !full_.any() ? nullptr : full_.flags(); }
   /// Before the moves of a step; `key` names their draws.

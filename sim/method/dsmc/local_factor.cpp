@@ -25,12 +25,18 @@ double LocalContactFactor<D>::smoothed(std::uint32_t cell) const {
 }
 
 template <int D>
-void LocalContactFactor<D>::update(std::span<const std::uint32_t> offsets) {
+double LocalContactFactor<D>::of_density(std::uint32_t cell) const {
+  return formula_(std::min(window_.sum(cell) * fraction_per_particle_ / window_.cells(cell), densest_)).value;
+}
+
+template <int D>
+void LocalContactFactor<D>::update(std::span<const std::uint32_t> offsets, const std::uint8_t* full) {
   window_.update(offsets);
+  const auto counts_as_it_is = [&](std::uint32_t cell) {
+    return !smoothed_ || (full != nullptr && full[cell] != 0);
+  };
   for (std::uint32_t cell = 0; cell < factor_.size(); ++cell)
-    factor_[cell] = smoothed_
-                        ? smoothed(cell)
-                        : formula_(std::min(window_.sum(cell) * fraction_per_particle_, densest_)).value;
+    factor_[cell] = counts_as_it_is(cell) ? of_density(cell) : smoothed(cell);
 }
 
 template class LocalContactFactor<2>;

@@ -29,19 +29,22 @@ inline double window_particles(const Parameters& parameters) {
 /// particles are (the count seen by a pair is larger by two), and the factor is convex (g of a fluctuating count
 /// exceeds g of its mean). Here the density comes from a window of cells without the pair itself,
 /// which for Poisson counts removes the first bias exactly, and the second derivative of the formula times the Poisson
-/// variance removes the second to the second order.
+/// variance removes the second to the second order. In full cells (see FullCells) moves are refused, and their numbers
+/// scatter less than by chance or not at all: there neither bias is taken out.
 template <int D>
 class LocalContactFactor {
  public:
   LocalContactFactor(const Parameters& parameters, const Grid<D>& grid, const std::array<bool, D>& periodic,
                      double particles);
 
-  void update(std::span<const std::uint32_t> offsets);
+  /// `full`: per cell, not zero where it is full; null where none is.
+  void update(std::span<const std::uint32_t> offsets, const std::uint8_t* full = nullptr);
   const double* values() const { return factor_.data(); }
   std::size_t bytes() const { return factor_.capacity() * sizeof(double) + window_.bytes(); }
 
  private:
   double smoothed(std::uint32_t cell) const;
+  double of_density(std::uint32_t cell) const;
 
   ContactFormula formula_;
   bool smoothed_;

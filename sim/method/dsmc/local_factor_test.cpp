@@ -120,5 +120,19 @@ TEST(LocalContactFactor, StaysFiniteBeyondClosePacking) {
   }
 }
 
+/// Cells of equal numbers: a full one has the contact value of just that density, the others lose what chance would add.
+TEST(LocalContactFactor, OfFullCellsIsThatOfTheirDensity) {
+  const Grid<2> grid = many_cells<2>();
+  LocalContactFactor<2> factor(parameters_of<2>(10, true), grid, {true, true}, 10.0 * grid.size());
+  std::vector<std::uint32_t> offsets(grid.size() + 1);
+  for (std::uint32_t cell = 0; cell <= grid.size(); ++cell) offsets[cell] = 10 * cell;
+  std::vector<std::uint8_t> full(grid.size());
+  full[7] = 1;
+  factor.update(offsets, full.data());
+  const double expected = henderson(kFraction<2>).value;
+  EXPECT_NEAR(factor.values()[7], expected, 1e-12 * expected);
+  EXPECT_LT(factor.values()[8], 0.995 * expected);
+}
+
 }  // namespace
 }  // namespace sandglass::dsmc

@@ -12,8 +12,8 @@ PairFactor<D>::PairFactor(const Parameters& parameters, const Grid<D>& grid,
 }
 
 template <int D>
-void PairFactor<D>::update(std::span<const std::uint32_t> offsets) {
-  if (contact_) contact_->update(offsets);
+void PairFactor<D>::update(std::span<const std::uint32_t> offsets, const std::uint8_t* full) {
+  if (contact_) contact_->update(offsets, full);
   if (!expected_) return;
   expected_->update(offsets);
   for (std::uint32_t cell = 0; cell < product_.size(); ++cell) {

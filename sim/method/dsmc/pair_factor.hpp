@@ -17,8 +17,8 @@ class PairFactor {
   PairFactor(const Parameters& parameters, const Grid<D>& grid, const std::array<bool, D>& periodic,
              double particles);
 
-  /// `offsets` as of ParticleStore.
-  void update(std::span<const std::uint32_t> offsets);
+  /// `offsets` as of ParticleStore; `full` as of LocalContactFactor.
+  void update(std::span<const std::uint32_t> offsets, const std::uint8_t* full = nullptr);
   const double* values() const { return expected_ ? product_.data() : contact_->values(); }
   std::size_t bytes() const;
 
