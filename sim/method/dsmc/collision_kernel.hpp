@@ -21,15 +21,15 @@ inline Pair draw_pair(std::uint32_t count, Random& random) {
   return {first, other + (other >= first)};
 }
 
-/// Majorant collisions (no time counter, Bird 1989) of one step in each cell. `Rule` is a pair rule, see SmoothPairs.
-template <int D, class Rule>
+/// Majorant collisions (no time counter, Bird 1989) of one step in each cell. `Rule` is a pair rule, see SmoothPairs;
+/// `Displaces`: partners are displaced.
+template <int D, class Rule, bool Displaces>
 class CollisionKernel final : public CollisionStage<D> {
  public:
   explicit CollisionKernel(const Parameters& parameters)
       : rule_(parameters),
         offset_(parameters.offset),
-        displaces_(parameters.offset.any()),
-        measure_transfer_(parameters.measure_transfer && displaces_) {}
+        measure_transfer_(parameters.measure_transfer && Displaces) {}
 
   void collide(const CollisionStep<D>& step, std::uint32_t first_cell,
                std::uint32_t last_cell) const override {
@@ -79,7 +79,7 @@ class CollisionKernel final : public CollisionStage<D> {
     const typename Rule::Columns columns = rule_.columns(step, begin);
     Random random = task.random;  // in registers
     double square_bound = square(rule_.bound(1)) * task.square_diagonal;
-    const bool displaces = displaces_ && (step.still == nullptr || step.still[task.cell] == 0);
+    const bool displaces = Displaces && (step.still == nullptr || step.still[task.cell] == 0);
     double transfer = 0;
     for (std::uint64_t left = task.candidates; left > 0; --left) {
       ++step.tally->candidates;
@@ -125,12 +125,13 @@ class CollisionKernel final : public CollisionStage<D> {
 
   Rule rule_;
   Offset offset_;
-  bool displaces_, measure_transfer_;
+  bool measure_transfer_;
 };
 
 template <int D, class Rule>
 std::unique_ptr<CollisionStage<D>> make_kernel(const Parameters& parameters) {
-  return std::make_unique<CollisionKernel<D, Rule>>(parameters);
+  if (parameters.offset.any()) return std::make_unique<CollisionKernel<D, Rule, true>>(parameters);
+  return std::make_unique<CollisionKernel<D, Rule, false>>(parameters);
 }
 
 }  // namespace sandglass::dsmc

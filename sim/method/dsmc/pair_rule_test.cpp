@@ -56,7 +56,7 @@ TestCells<2> mixture(const std::vector<Vector<2>>& velocities) {
 TEST(PairRule, SetsHowOftenAPairCollides) {
   const auto velocities = random_velocities<2>(6, 0);
   const double coefficient = 0.7 / candidates_per_coefficient(velocities);
-  const CollisionKernel<2, TwoSizes> kernel(transparent());
+  const CollisionKernel<2, TwoSizes, false> kernel(transparent());
   std::vector<double> counts;
   for (std::uint64_t stream = 0; stream < 200'000; ++stream) {
     TestCells<2> cells = mixture(velocities);
@@ -84,7 +84,7 @@ TEST(PairRule, SetsWhatACollisionDoes) {
     return sum;
   };
   const Vector<3> before = sums();
-  cells.collide(CollisionKernel<2, TwoSizes>({}), 3, 0);
+  cells.collide(CollisionKernel<2, TwoSizes, false>({}), 3, 0);
   EXPECT_GT(cells.tally.collisions, 100u);
   EXPECT_LT((sums() - before).norm(), 1e-12);
 }
