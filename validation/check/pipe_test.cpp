@@ -187,7 +187,8 @@ TEST(PipeMomentum, ClosesToRounding) {
 TEST(PipeFriction, CarriesTheWeightOfWhatMoves) {
   const CheckInfo& check = find_check("pipe-friction");
   const Settings settings{{{"settle-time", 10.0}}, 0, 0, ""};
-  EXPECT_LT(std::abs(significance(run_check(check, with_forces(0.75, 0.75, 0.25), settings))), 4);
+  const Evidence steady = run_check(check, with_forces(0.75, 0.75, 0.25), settings);
+  EXPECT_NEAR(steady.value, 1, 5 * 0.02 / 0.75 / std::sqrt(8 * 90.0));  // the error that was drawn
   EXPECT_GT(significance(run_check(check, with_forces(0.8, 0.75, 0.25), settings)), 5);
 }
 
