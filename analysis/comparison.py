@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import partial
 
-from analysis import clustering_figures
+from analysis import clustering_figures, pipe_figures
 from analysis.errors import InputError
 from analysis.record import REMEDY
 from analysis.words import slug
@@ -19,7 +19,10 @@ class Comparison:
     wide: bool
 
 
-PICTURES = {"clustering": clustering_figures.PICTURES}   # case -> its pictures
+PICTURES = {   # case -> its pictures
+    "clustering": clustering_figures.PICTURES,
+    "pipe-flow": pipe_figures.PICTURES,
+}
 
 
 def _draw(picture, paths, stem):

@@ -142,4 +142,11 @@ SpectrumFit fit_spectrum(const Spectrum& spectrum, const SpectrumRange& range) {
   }
 }
 
+SpectrumFit fit_spectrum(const Spectrum& spectrum, const SpectrumRange& range, std::vector<double> peaks) {
+  SANDGLASS_EXPECT(spectrum.frequency.size() >= 2 && spectrum.averages > 0);
+  SpectrumFit fit = fit_lines(part_of(spectrum, range, peaks));
+  fit.peaks = std::move(peaks);
+  return fit;
+}
+
 }  // namespace sandglass

@@ -28,5 +28,7 @@ struct SpectrumRange {
 /// its multiples (a wave that comes by again and again), and the fit is made again. Throws InputError when fewer than
 /// eight lines are left.
 SpectrumFit fit_spectrum(const Spectrum& spectrum, const SpectrumRange& range);
+/// The same beside peaks that are known.
+SpectrumFit fit_spectrum(const Spectrum& spectrum, const SpectrumRange& range, std::vector<double> peaks);
 
 }  // namespace sandglass
