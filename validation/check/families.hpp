@@ -28,6 +28,11 @@ std::vector<CheckInfo> drag_checks();
 std::vector<CheckInfo> column_checks();
 std::vector<CheckInfo> pipe_flow_checks();
 std::vector<CheckInfo> pipe_wave_checks();
+std::vector<CheckInfo> falling_checks();
+std::vector<CheckInfo> packing_checks();
+std::vector<CheckInfo> collapse_checks();
+std::vector<CheckInfo> bagnold_checks();
+std::vector<CheckInfo> wall_balance_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);

@@ -14,6 +14,8 @@ double collisions_along(const Scene& scene, double length);
 bool is_plain_gas(const Scene& scene);
 /// No force acts.
 bool is_weightless(const Scene& scene);
+/// The axis along which gravity points to the low side; -1 when there is none or another force.
+int vertical_axis(const Scene& scene);
 bool is_periodic_along(const Scene& scene, std::size_t axis);
 /// What [[wall]] says of the side, or a plain mirror.
 Wall wall_at(const Scene& scene, std::size_t axis, bool high);
