@@ -16,17 +16,6 @@
 namespace sandglass {
 
 namespace {
-/// The axis along which gravity points to the low side; -1 when there is none or another force.
-int vertical_axis(const Scene& scene) {
-  int found = -1;
-  for (std::size_t axis = 0; axis < scene.gravity.size(); ++axis) {
-    if (scene.gravity[axis] == 0) continue;
-    if (scene.gravity[axis] > 0 || found >= 0) return -1;
-    found = static_cast<int>(axis);
-  }
-  return found;
-}
-
 bool is_between_mirrors(const Scene& scene, std::size_t axis) {
   return is_mirror(wall_at(scene, axis, false)) && is_mirror(wall_at(scene, axis, true));
 }

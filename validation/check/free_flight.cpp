@@ -49,6 +49,16 @@ bool is_weightless(const Scene& scene) {
   return std::all_of(scene.gravity.begin(), scene.gravity.end(), [](double g) { return g == 0; });
 }
 
+int vertical_axis(const Scene& scene) {
+  int found = -1;
+  for (std::size_t axis = 0; axis < scene.gravity.size(); ++axis) {
+    if (scene.gravity[axis] == 0) continue;
+    if (scene.gravity[axis] > 0 || found >= 0) return -1;
+    found = static_cast<int>(axis);
+  }
+  return found;
+}
+
 bool is_periodic_along(const Scene& scene, std::size_t axis) {
   return scene.domain.sides[axis][0] == Side::periodic;
 }
