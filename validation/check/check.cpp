@@ -33,6 +33,7 @@ std::vector<CheckInfo> join_families() {
                              knudsen_checks,
                              drag_checks,
                              column_checks,
+                             correlation_checks,
                              vibrated_bed_rise_checks,
                              vibrated_bed_flow_checks,
                              vibrated_bed_velocity_checks})

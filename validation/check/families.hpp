@@ -26,6 +26,7 @@ std::vector<CheckInfo> bounce_checks();
 std::vector<CheckInfo> knudsen_checks();
 std::vector<CheckInfo> drag_checks();
 std::vector<CheckInfo> column_checks();
+std::vector<CheckInfo> correlation_checks();
 std::vector<CheckInfo> vibrated_bed_rise_checks();
 std::vector<CheckInfo> vibrated_bed_flow_checks();
 std::vector<CheckInfo> vibrated_bed_velocity_checks();
