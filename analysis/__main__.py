@@ -1,4 +1,4 @@
-"""python3 -m analysis report|table FOLDER"""
+"""python3 -m analysis report|table FOLDER, python3 -m analysis impact RECORD"""
 
 import argparse
 import sys
@@ -17,6 +17,9 @@ def _arguments():
         command = commands.add_parser(name, help=text)
         command.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
         command.add_argument("--claims", type=Path, default=LEDGER, help="ledger of claims (TOML)")
+    impact = commands.add_parser("impact", help="print c(tau) of an event-driven record as lines of a scene")
+    impact.add_argument("record", type=Path, help="with the observer 'impact-parameter'")
+    impact.add_argument("--window", type=float, default=10.0, help="collisions per particle in each fit")
     return parser.parse_args()
 
 
@@ -24,6 +27,10 @@ def main():
     """0: written; 2: bad input, said on standard error."""
     arguments = _arguments()
     try:
+        if arguments.command == "impact":
+            from analysis.impact import print_coefficient
+            print_coefficient(arguments.record, arguments.window)
+            return 0
         report = load_report(arguments.folder, arguments.claims)
         if arguments.command == "table":
             from analysis.table import print_table

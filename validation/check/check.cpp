@@ -15,12 +15,35 @@ namespace sandglass {
 namespace {
 std::vector<CheckInfo> join_families() {
   std::vector<CheckInfo> all;
-  for (const auto& family :
-       {collision_checks, pressure_checks,     contact_checks,  structure_checks,  conservation_checks,
-        moment_checks,    distribution_checks, cooling_checks,  clustering_checks, guarded_checks,
-        flux_checks,      shear_checks,        few_body_checks, row_checks,        bounce_checks,
-        knudsen_checks,   drag_checks,         column_checks,   pipe_flow_checks,  pipe_wave_checks,
-        falling_checks,   packing_checks,      collapse_checks, bagnold_checks,    wall_balance_checks})
+  for (const auto& family : {collision_checks,
+                             pressure_checks,
+                             contact_checks,
+                             structure_checks,
+                             conservation_checks,
+                             moment_checks,
+                             distribution_checks,
+                             cooling_checks,
+                             clustering_checks,
+                             guarded_checks,
+                             flux_checks,
+                             shear_checks,
+                             few_body_checks,
+                             row_checks,
+                             bounce_checks,
+                             knudsen_checks,
+                             drag_checks,
+                             column_checks,
+                             pipe_flow_checks,
+                             pipe_wave_checks,
+                             falling_checks,
+                             packing_checks,
+                             collapse_checks,
+                             bagnold_checks,
+                             wall_balance_checks,
+                             correlation_checks,
+                             vibrated_bed_rise_checks,
+                             vibrated_bed_flow_checks,
+                             vibrated_bed_velocity_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }

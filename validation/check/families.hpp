@@ -33,6 +33,10 @@ std::vector<CheckInfo> packing_checks();
 std::vector<CheckInfo> collapse_checks();
 std::vector<CheckInfo> bagnold_checks();
 std::vector<CheckInfo> wall_balance_checks();
+std::vector<CheckInfo> correlation_checks();
+std::vector<CheckInfo> vibrated_bed_rise_checks();
+std::vector<CheckInfo> vibrated_bed_flow_checks();
+std::vector<CheckInfo> vibrated_bed_velocity_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);
