@@ -16,9 +16,10 @@ namespace {
 std::vector<CheckInfo> join_families() {
   std::vector<CheckInfo> all;
   for (const auto& family :
-       {collision_checks, pressure_checks, contact_checks, structure_checks, conservation_checks,
-        moment_checks, distribution_checks, cooling_checks, clustering_checks, guarded_checks, flux_checks,
-        shear_checks, few_body_checks, row_checks, bounce_checks, knudsen_checks, drag_checks, column_checks})
+       {collision_checks, pressure_checks,     contact_checks,  structure_checks,  conservation_checks,
+        moment_checks,    distribution_checks, cooling_checks,  clustering_checks, guarded_checks,
+        flux_checks,      shear_checks,        few_body_checks, row_checks,        bounce_checks,
+        knudsen_checks,   drag_checks,         column_checks,   heap_checks,       heap_growth_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }

@@ -26,6 +26,8 @@ std::vector<CheckInfo> bounce_checks();
 std::vector<CheckInfo> knudsen_checks();
 std::vector<CheckInfo> drag_checks();
 std::vector<CheckInfo> column_checks();
+std::vector<CheckInfo> heap_checks();
+std::vector<CheckInfo> heap_growth_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);

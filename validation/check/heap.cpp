@@ -1,0 +1,210 @@
+#include "sim/base/error.hpp"
+#include "validation/check/families.hpp"
+#include "validation/check/heap_profile.hpp"
+#include "validation/check/heap_shape.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+// A heap that is poured on a floor: slope of its sides, head, tail and what a table's edge does (Mueller 2001, 3.5).
+
+namespace sandglass {
+
+namespace {
+/// The straight part of a side, in parts of half the base: neither the head nor the tail.
+constexpr double kFrom = 0.2, kTo = 0.7;
+
+using Replicas = std::span<const std::size_t>;
+
+HeapProfile all_replicas(const Subject& subject, std::size_t sample) {
+  std::vector<std::size_t> replicas(subject.replicas());
+  std::iota(replicas.begin(), replicas.end(), std::size_t{0});
+  return heap_profile(subject, sample, replicas);
+}
+
+std::size_t last_sample(const Subject& subject) { return subject.series(0, "free-surface").time.size() - 1; }
+
+double straight_slope(const HeapProfile& profile) {
+  return heap_slope(profile, kFrom * profile.half_base(), kTo * profile.half_base());
+}
+
+double straight_slope(const HeapProfile& profile, int side) {
+  return heap_side_slope(profile, side, kFrom * profile.half_base(), kTo * profile.half_base());
+}
+
+Figure surface_figure(const Subject& subject, std::size_t sample) {
+  const HeapProfile profile = all_replicas(subject, sample);
+  Figure figure{"Surface of the heap", {"distance from the source", "length"}, {"height", "length"}, {}, {}};
+  Figure::Points points{"mean of the replicas", profile.x, profile.h, {}, {}};
+  for (std::size_t bin = 0; bin < profile.x.size(); ++bin) {
+    std::vector<double> heights;
+    for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
+      const std::size_t one[] = {replica};
+      heights.push_back(heap_profile(subject, sample, one).h[bin]);
+    }
+    points.error.push_back(mean_of_independent(heights).standard_error);
+  }
+  figure.points.push_back(std::move(points));
+  return figure;
+}
+
+void add_line(Figure& figure, const HeapProfile& profile, const std::string& name, const law::Heap& heap,
+              double centre) {
+  Figure::Line line{name, profile.x, {}};
+  for (const double x : profile.x) line.y.push_back(law::heap_surface(heap, x - centre));
+  figure.lines.push_back(std::move(line));
+}
+
+Evidence slope_evidence(const Subject& subject, const law::Arguments& numbers) {
+  const std::size_t sample = last_sample(subject);
+  const auto slope = [&](int side) {
+    return jackknife(subject.replicas(), [&](Replicas replicas) {
+      return straight_slope(heap_profile(subject, sample, replicas), side);
+    });
+  };
+  const Mean left = slope(-1), right = slope(1);
+  const Mean both = jackknife(subject.replicas(), [&](Replicas replicas) {
+    return straight_slope(heap_profile(subject, sample, replicas));
+  });
+  Evidence evidence = at_least(both, numbers.at("least"));
+  evidence.summary = fmt::format(
+      "slope of the straight part of both sides at the end; left {:.3f} ± {:.3f}, right {:.3f} ± {:.3f}",
+      left.value, left.standard_error, right.value, right.standard_error);
+  evidence.figures.push_back(surface_figure(subject, sample));
+  return evidence;
+}
+
+Evidence rest_evidence(const Subject& subject, const law::Arguments&) {
+  const std::size_t before = heap_sample_at(subject, end_of_pouring(subject)), after = last_sample(subject);
+  const Mean ratio = jackknife(subject.replicas(), [&](Replicas replicas) {
+    return straight_slope(heap_profile(subject, after, replicas)) /
+           straight_slope(heap_profile(subject, before, replicas));
+  });
+  Evidence evidence = from_mean(ratio, 1);
+  evidence.summary = "slope at the end over the slope when the last particle was poured";
+  evidence.figures.push_back(surface_figure(subject, after));
+  return evidence;
+}
+
+Evidence head_evidence(const Subject& subject, const law::Arguments& numbers) {
+  const std::size_t sample = last_sample(subject);
+  const Mean ratio = jackknife(subject.replicas(), [&](Replicas replicas) {
+    const HeapProfile profile = heap_profile(subject, sample, replicas);
+    return heap_slope(profile, 0, kFrom * profile.half_base()) / straight_slope(profile);
+  });
+  Evidence evidence = from_mean(ratio, numbers.at("bound"));
+  const bool steep = numbers.at("steep") > 0;
+  evidence.kind = steep ? Expectation::at_least : Expectation::at_most;
+  evidence.summary = "slope of the head over that of the straight part";
+  evidence.figures.push_back(surface_figure(subject, sample));
+  return evidence;
+}
+
+/// In parts of half the table, so that the outer part ends at its edge.
+Evidence edge_evidence(const Subject& subject, const law::Arguments&) {
+  const std::size_t sample = last_sample(subject);
+  const double half = subject.scene().domain.size[0] / 2;
+  const Mean ratio = jackknife(subject.replicas(), [&](Replicas replicas) {
+    const HeapProfile profile = heap_profile(subject, sample, replicas);
+    return heap_slope(profile, 0.6 * half, half) / heap_slope(profile, 0.2 * half, 0.6 * half);
+  });
+  Evidence evidence = at_least(ratio, 1);
+  evidence.summary = "slope of the outer two fifths of a table over that of the middle two fifths of a side";
+  evidence.figures.push_back(surface_figure(subject, sample));
+  return evidence;
+}
+
+struct Points {
+  std::vector<double> x, h;
+};
+
+/// Where the surface stands a diameter or more above the floor.
+Points above_floor(const HeapProfile& profile, double diameter) {
+  Points points;
+  for (std::size_t i = 0; i < profile.x.size(); ++i)
+    if (profile.h[i] >= diameter) points.x.push_back(profile.x[i]), points.h.push_back(profile.h[i]);
+  return points;
+}
+
+/// A surface that neither shape fits has no comparison: not a number.
+Evidence tail_evidence(const Subject& subject, const law::Arguments&) {
+  const std::size_t sample = last_sample(subject);
+  const HeapProfile profile = all_replicas(subject, sample);
+  const Points points = above_floor(profile, subject.species().diameter);
+  Evidence evidence;
+  evidence.kind = Expectation::at_least;
+  evidence.units = "length^2";
+  evidence.figures.push_back(surface_figure(subject, sample));
+  try {
+    const ShapeComparison shapes = compare_shapes(points.x, points.h, 10, 2);
+    evidence.value = shapes.advantage.value;
+    evidence.standard_error = shapes.advantage.standard_error;
+    evidence.degrees_of_freedom = shapes.advantage.degrees_of_freedom;
+    const HeapFit& kinked = shapes.kinked;
+    evidence.summary = fmt::format(
+        "mean square residual of a triangle less that of (3.17), of points left out of the fit; slope {:.3f} "
+        "± {:.3f}, "
+        "l/r {:.2f} ± {:.2f}, height {:.1f}",
+        kinked.heap.slope, kinked.error.slope, kinked.heap.kink_length, kinked.error.kink_length,
+        kinked.heap.height);
+    add_line(evidence.figures.back(), profile, "(3.17)", kinked.heap, kinked.centre);
+    add_line(evidence.figures.back(), profile, "triangle", shapes.triangle.heap, shapes.triangle.centre);
+  } catch (const InputError& error) {
+    evidence.value = std::numeric_limits<double>::quiet_NaN();
+    evidence.summary = std::string("no shape fits: ") + error.what();
+  }
+  return evidence;
+}
+
+/// Width of the surface at half of its largest height, per replica, in collision cells.
+Evidence spike_evidence(const Subject& subject, const law::Arguments& numbers) {
+  std::vector<double> widths;
+  for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
+    const std::size_t one[] = {replica};
+    const HeapProfile profile = heap_profile(subject, last_sample(subject), one);
+    const double half = *std::ranges::max_element(profile.h) / 2;
+    const auto high =
+        static_cast<double>(std::ranges::count_if(profile.h, [&](double h) { return h > half; }));
+    widths.push_back(high * profile.bin / numbers.at("cell"));
+  }
+  Evidence evidence = from_mean(mean_of_independent(widths), numbers.at("least"));
+  evidence.kind = Expectation::between;
+  evidence.upper = numbers.at("most");
+  evidence.summary = "width of the surface at half of its height, in cells";
+  evidence.figures.push_back(surface_figure(subject, last_sample(subject)));
+  return evidence;
+}
+
+CheckInfo heap_check(std::string name, std::string summary, std::string law,
+                     std::vector<law::Parameter> parameters, std::function<bool(const Scene&)> applies,
+                     std::function<Evidence(const Subject&, const law::Arguments&)> evaluate) {
+  return {std::move(name), std::move(summary),    std::move(law),     {"free-surface"},
+          false,           std::move(parameters), std::move(applies), std::move(evaluate)};
+}
+}  // namespace
+
+std::vector<CheckInfo> heap_checks() {
+  using law::Parameter;
+  return {heap_check("heap-slope", "slope of the straight part of a heap at the end", "",
+                     {Parameter{"least", "1", "slope below which it is no heap", 0, 10}}, is_heap,
+                     slope_evidence),
+          heap_check("heap-rest", "slope at the end over the slope when pouring ended", "", {}, is_heap,
+                     rest_evidence),
+          heap_check("heap-head", "slope of the head of a heap over that of its straight part", "",
+                     {Parameter{"bound", "1", "of the ratio", 0, 10},
+                      Parameter{"steep", "1", "1: the bound is the least, 0: the most", 0, 1}},
+                     is_heap, head_evidence),
+          heap_check("heap-edge", "slope of a heap on a table near the edge over that further in", "", {},
+                     is_heap, edge_evidence),
+          heap_check("heap-tail", "logarithmic tail of a heap against a triangle", "heap-surface", {},
+                     is_closed_heap, tail_evidence),
+          heap_check("heap-spike", "width of a heap at half of its height, in cells", "",
+                     {Parameter{"cell", "length", "edge of a collision cell", 1e-12, 1e12},
+                      Parameter{"least", "1", "cells", 0, 1e6}, Parameter{"most", "1", "cells", 0, 1e6}},
+                     is_heap, spike_evidence)};
+}
+
+}  // namespace sandglass
