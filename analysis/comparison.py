@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import partial
 
-from analysis import clustering_figures
+from analysis import clustering_figures, heap_figures
 from analysis.errors import InputError
 from analysis.record import REMEDY
 from analysis.words import slug
@@ -19,7 +19,8 @@ class Comparison:
     wide: bool
 
 
-PICTURES = {"clustering": clustering_figures.PICTURES}   # case -> its pictures
+# case -> its pictures
+PICTURES = {"clustering": clustering_figures.PICTURES, "heap": heap_figures.PICTURES}
 
 
 def _draw(picture, paths, stem):

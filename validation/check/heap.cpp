@@ -3,6 +3,7 @@
 #include "validation/check/heap_profile.hpp"
 #include "validation/check/heap_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -16,6 +17,8 @@ namespace sandglass {
 namespace {
 /// The straight part of a side, in parts of half the base: neither the head nor the tail.
 constexpr double kFrom = 0.2, kTo = 0.7;
+
+constexpr std::size_t kFolds = 10;
 
 using Replicas = std::span<const std::size_t>;
 
@@ -121,11 +124,13 @@ struct Points {
   std::vector<double> x, h;
 };
 
-/// Where the surface stands a diameter or more above the floor.
-Points above_floor(const HeapProfile& profile, double diameter) {
+/// Where the surface stands a diameter or more above the floor, without the head, of which the law does not speak.
+Points below_head(const HeapProfile& profile, double diameter) {
+  const double head = kFrom * profile.half_base();
   Points points;
   for (std::size_t i = 0; i < profile.x.size(); ++i)
-    if (profile.h[i] >= diameter) points.x.push_back(profile.x[i]), points.h.push_back(profile.h[i]);
+    if (profile.h[i] >= diameter && std::abs(profile.x[i]) >= head)
+      points.x.push_back(profile.x[i]), points.h.push_back(profile.h[i]);
   return points;
 }
 
@@ -133,13 +138,15 @@ Points above_floor(const HeapProfile& profile, double diameter) {
 Evidence tail_evidence(const Subject& subject, const law::Arguments&) {
   const std::size_t sample = last_sample(subject);
   const HeapProfile profile = all_replicas(subject, sample);
-  const Points points = above_floor(profile, subject.species().diameter);
+  const Points points = below_head(profile, subject.species().diameter);
   Evidence evidence;
   evidence.kind = Expectation::at_least;
   evidence.units = "length^2";
   evidence.figures.push_back(surface_figure(subject, sample));
   try {
-    const ShapeComparison shapes = compare_shapes(points.x, points.h, 10, 2);
+    // Up to four stretches a fold, of two points at least: the more, the less one fold differs from the next.
+    const std::size_t stretches = std::clamp<std::size_t>(points.x.size() / (2 * kFolds), 1, 4);
+    const ShapeComparison shapes = compare_shapes(points.x, points.h, kFolds, stretches);
     evidence.value = shapes.advantage.value;
     evidence.standard_error = shapes.advantage.standard_error;
     evidence.degrees_of_freedom = shapes.advantage.degrees_of_freedom;
@@ -178,6 +185,10 @@ Evidence spike_evidence(const Subject& subject, const law::Arguments& numbers) {
   return evidence;
 }
 
+bool is_heap_on_table(const Scene& scene) {
+  return is_heap(scene) && scene.domain.sides[0] == std::array{Side::open, Side::open};
+}
+
 CheckInfo heap_check(std::string name, std::string summary, std::string law,
                      std::vector<law::Parameter> parameters, std::function<bool(const Scene&)> applies,
                      std::function<Evidence(const Subject&, const law::Arguments&)> evaluate) {
@@ -198,7 +209,7 @@ std::vector<CheckInfo> heap_checks() {
                       Parameter{"steep", "1", "1: the bound is the least, 0: the most", 0, 1}},
                      is_heap, head_evidence),
           heap_check("heap-edge", "slope of a heap on a table near the edge over that further in", "", {},
-                     is_heap, edge_evidence),
+                     is_heap_on_table, edge_evidence),
           heap_check("heap-tail", "logarithmic tail of a heap against a triangle", "heap-surface", {},
                      is_closed_heap, tail_evidence),
           heap_check("heap-spike", "width of a heap at half of its height, in cells", "",
