@@ -125,7 +125,7 @@ std::vector<CheckInfo> heap_growth_checks() {
            "heap-height",
            {"free-surface"},
            true,
-           {law::Parameter{"least-particles", "1", "of the smallest heap that is compared", 1, 1e12}},
+           {law::Parameter{"least-particles", "1", "of the smallest heap that is compared", 1, 1e12, 100}},
            is_closed_heap,
            growth_evidence},
           {"source-rate",
