@@ -30,11 +30,14 @@ HeapProfile all_replicas(const Subject& subject, std::size_t sample) {
 
 std::size_t last_sample(const Subject& subject) { return subject.series(0, "free-surface").time.size() - 1; }
 
+/// 0 where all particles lie on the floor.
 double straight_slope(const HeapProfile& profile) {
+  if (!(profile.area() > 0)) return 0;
   return heap_slope(profile, kFrom * profile.half_base(), kTo * profile.half_base());
 }
 
 double straight_slope(const HeapProfile& profile, int side) {
+  if (!(profile.area() > 0)) return 0;
   return heap_side_slope(profile, side, kFrom * profile.half_base(), kTo * profile.half_base());
 }
 
@@ -92,9 +95,9 @@ Evidence head_evidence(const Subject& subject, const law::Arguments& numbers) {
   return evidence;
 }
 
-/// Mean over all samples of the second half of the pouring and after: a table that is full keeps its shape.
+/// Mean over all samples after the pouring.
 HeapProfile late_profile(const Subject& subject, Replicas replicas) {
-  const std::size_t first = heap_sample_at(subject, end_of_pouring(subject) / 2), last = last_sample(subject);
+  const std::size_t first = heap_sample_at(subject, end_of_pouring(subject)), last = last_sample(subject);
   HeapProfile mean = heap_profile(subject, first, replicas);
   for (std::size_t sample = first + 1; sample <= last; ++sample) {
     const HeapProfile other = heap_profile(subject, sample, replicas);

@@ -97,6 +97,13 @@ TEST(HeapSlope, FindsTheSlopeAndMissesItInALayer) {
   EXPECT_LT(above(evidence_of("heap-slope", surfaces(flat), {{"least", 0.15}})), -10);
 }
 
+TEST(HeapSlope, OfParticlesOnTheFloorIsNone) {
+  const Evidence none =
+      evidence_of("heap-slope", surfaces([](double, double) { return 0.0; }), {{"least", 0.15}});
+  EXPECT_EQ(none.value, 0);
+  EXPECT_EQ(none.standard_error, 0);
+}
+
 TEST(HeapGrowth, FollowsTheLargestHeap) {
   const Evidence right = evidence_of("heap-growth", surfaces(growing), {{"least-particles", 250}});
   EXPECT_EQ(right.comparisons, 3);
