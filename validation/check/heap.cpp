@@ -30,14 +30,14 @@ HeapProfile all_replicas(const Subject& subject, std::size_t sample) {
 
 std::size_t last_sample(const Subject& subject) { return subject.series(0, "free-surface").time.size() - 1; }
 
-/// 0 where all particles lie on the floor.
+/// 0 where the particles lie in less than a layer on the floor.
 double straight_slope(const HeapProfile& profile) {
-  if (!(profile.area() > 0)) return 0;
+  if (profile.is_bare()) return 0;
   return heap_slope(profile, kFrom * profile.half_base(), kTo * profile.half_base());
 }
 
 double straight_slope(const HeapProfile& profile, int side) {
-  if (!(profile.area() > 0)) return 0;
+  if (profile.is_bare()) return 0;
   return heap_side_slope(profile, side, kFrom * profile.half_base(), kTo * profile.half_base());
 }
 

@@ -19,6 +19,7 @@ HeapProfile heap_profile(const Subject& subject, std::size_t sample, std::span<c
   const std::size_t bins = subject.series(0, "free-surface").quantity.size();
   HeapProfile profile;
   profile.bin = subject.scene().domain.size.at(0) / static_cast<double>(bins);
+  profile.diameter = subject.species().diameter;
   const double centre = subject.scene().sources.at(0).centre.at(0);
   for (std::size_t bin = 0; bin < bins; ++bin)
     profile.x.push_back((static_cast<double>(bin) + 0.5) * profile.bin - centre);

@@ -11,13 +11,16 @@ namespace sandglass {
 struct HeapProfile {
   std::vector<double> x;  ///< from below the source, in order
   std::vector<double> h;
-  double bin = 0;  ///< width
+  double bin = 0;       ///< width
+  double diameter = 0;  ///< of a particle
 
   double area() const;
   /// 3/2 of the integral of h^2 over that of h: the height of a triangle, without a say of single bins.
   double height() const;
   /// Half of the base of the triangle of this area and height.
   double half_base() const { return area() / height(); }
+  /// Lower than a particle.
+  bool is_bare() const { return !(area() > 0) || height() < diameter; }
 };
 
 /// The sample is one of `free-surface`. Throws InputError where the scene is not that of a heap (is_heap).
