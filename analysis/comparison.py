@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import partial
 
-from analysis import clustering_figures, pipe_figures
+from analysis import clustering_figures, heap_figures, pipe_figures
 from analysis.errors import InputError
 from analysis.record import REMEDY
 from analysis.words import slug
@@ -21,6 +21,7 @@ class Comparison:
 
 PICTURES = {   # case -> its pictures
     "clustering": clustering_figures.PICTURES,
+    "heap": heap_figures.PICTURES,
     "pipe-flow": pipe_figures.PICTURES,
 }
 

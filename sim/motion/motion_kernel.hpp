@@ -37,24 +37,28 @@ class RefusableKernel final : public RefusableStage<D> {
       : surroundings_(std::move(surroundings)) {}
 
   void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
-               std::uint32_t* targets) const override {
+               std::uint32_t* targets, Phase<D>* arrived) const override {
     const typename Flight::Locator locator(store.grid());
     const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
     const auto particles = store.phases();
-    // Two of them, for a register reads past the end of the first.
-    Phase<D> copy[2] = {};
     for (std::size_t i = first; i < last; ++i) {
-      copy[0] = particles[i];
-      targets[i] = locator.cell_of(flight.template fly<false>(copy[0], i));
+      arrived[i] = particles[i];
+      targets[i] = locator.cell_of(flight.template fly<false>(arrived[i], i));
     }
   }
 
+  /// Flies again only to count: who rests on a floor may bounce a hundred times in a step.
   void advance_accepted(ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
-                        const std::uint8_t* refused) const override {
-    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+                        const std::uint8_t* refused, const Phase<D>* arrived) const override {
     Phase<D>* particles = store.phases().data();
-    for (std::size_t i = first; i < last; ++i)
-      if (!refused[i]) flight.template fly<Counts>(particles[i], i);
+    if constexpr (Counts) {
+      const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+      for (std::size_t i = first; i < last; ++i)
+        if (!refused[i]) flight.template fly<true>(particles[i], i);
+    } else {
+      for (std::size_t i = first; i < last; ++i)
+        if (!refused[i]) particles[i] = arrived[i];
+    }
   }
 
  private:

@@ -22,12 +22,14 @@ template <int D>
 class RefusableStage {
  public:
   virtual ~RefusableStage() = default;
-  /// Writes for particles [first, last) the cell where each would arrive; changes nothing else.
+  /// Writes for particles [first, last) the cell where each would arrive and its state there; changes nothing else. One
+  /// more state must stand behind the last, for registers read past its end.
   virtual void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last,
-                       const MotionStep& step, std::uint32_t* targets) const = 0;
+                       const MotionStep& step, std::uint32_t* targets, Phase<D>* arrived) const = 0;
   /// Advances the particles of [first, last) that are not refused, as proposed.
   virtual void advance_accepted(ParticleStore<D>& store, std::size_t first, std::size_t last,
-                                const MotionStep& step, const std::uint8_t* refused) const = 0;
+                                const MotionStep& step, const std::uint8_t* refused,
+                                const Phase<D>* arrived) const = 0;
 };
 
 /// The box begins at the origin. Throws InputError for surroundings that make no sense together.

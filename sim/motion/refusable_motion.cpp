@@ -6,14 +6,15 @@ template <int D>
 void RefusableMotion<D>::advance(ParticleStore<D>& store, const MotionStep& step, EntryRule<D>& rule) {
   const std::size_t count = store.size();
   targets_.resize(count);
+  arrived_.resize(count + 1);
   refused_.assign(count, 0);
   entering_.assign(store.grid().size() + 1, 0);
-  stage_->propose(store, 0, count, step, targets_.data());
+  stage_->propose(store, 0, count, step, targets_.data(), arrived_.data());
   count_entering(store.offsets());
   rule.decide(
       {store.grid(), store.offsets(), targets_, std::span(entering_).first(store.grid().size()), refused_});
   if (entering_.back() > 0) let_go(store.removed());
-  stage_->advance_accepted(store, 0, count, step, refused_.data());
+  stage_->advance_accepted(store, 0, count, step, refused_.data(), arrived_.data());
   take_places(store);
 }
 

@@ -41,7 +41,8 @@ class RefusableMotion {
   void advance(ParticleStore<D>& store, const MotionStep& step, EntryRule<D>& rule);
 
   std::size_t bytes() const {
-    return (targets_.capacity() + entering_.capacity()) * sizeof(std::uint32_t) + refused_.capacity();
+    return (targets_.capacity() + entering_.capacity()) * sizeof(std::uint32_t) +
+           arrived_.capacity() * sizeof(Phase<D>) + refused_.capacity();
   }
 
  private:
@@ -51,6 +52,7 @@ class RefusableMotion {
 
   std::unique_ptr<RefusableStage<D>> stage_;
   std::vector<std::uint32_t> targets_, entering_;
+  std::vector<Phase<D>> arrived_;
   std::vector<std::uint8_t> refused_;
 };
 

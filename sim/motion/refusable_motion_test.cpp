@@ -178,10 +178,13 @@ std::pair<std::vector<std::uint32_t>, std::vector<Phase<3>>> fly_in(const Blocks
   const MotionStep step{0.3, 0, wall_key(3)};
   auto store = crowd<3>();
   std::vector<std::uint32_t> targets(store.size());
+  std::vector<Phase<3>> arrived(store.size() + 1);
   std::vector<std::uint8_t> refused(store.size());
-  for (const auto& [first, last] : blocks) stage->propose(store, first, last, step, targets.data());
+  for (const auto& [first, last] : blocks)
+    stage->propose(store, first, last, step, targets.data(), arrived.data());
   for (std::size_t i = 0; i < refused.size(); ++i) refused[i] = i % 5 == targets[i] % 5;
-  for (const auto& [first, last] : blocks) stage->advance_accepted(store, first, last, step, refused.data());
+  for (const auto& [first, last] : blocks)
+    stage->advance_accepted(store, first, last, step, refused.data(), arrived.data());
   return {targets, {store.phases().begin(), store.phases().end()}};
 }
 

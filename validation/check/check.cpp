@@ -43,7 +43,9 @@ std::vector<CheckInfo> join_families() {
                              correlation_checks,
                              vibrated_bed_rise_checks,
                              vibrated_bed_flow_checks,
-                             vibrated_bed_velocity_checks})
+                             vibrated_bed_velocity_checks,
+                             heap_checks,
+                             heap_growth_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "validation/check/subject.hpp"
+
+#include <span>
+#include <vector>
+
+namespace sandglass {
+
+/// Surface of a heap under a source: middles of the bins of `free-surface` and heights, mean over some replicas.
+struct HeapProfile {
+  std::vector<double> x;  ///< from below the source, in order
+  std::vector<double> h;
+  double bin = 0;       ///< width
+  double diameter = 0;  ///< of a particle
+
+  double area() const;
+  /// 3/2 of the integral of h^2 over that of h: the height of a triangle, without a say of single bins.
+  double height() const;
+  /// Half of the base of the triangle of this area and height.
+  double half_base() const { return area() / height(); }
+  /// Lower than a particle.
+  bool is_bare() const { return !(area() > 0) || height() < diameter; }
+};
+
+/// The sample is one of `free-surface`. Throws InputError where the scene is not that of a heap (is_heap).
+HeapProfile heap_profile(const Subject& subject, std::size_t sample, std::span<const std::size_t> replicas);
+
+/// Least-squares slope of the surface, falling outwards, where `from` <= |x| <= `to` on both sides, or on one: -1 is left,
+/// 1 right. NaN with fewer than three bins on a side.
+double heap_slope(const HeapProfile& profile, double from, double to);
+double heap_side_slope(const HeapProfile& profile, int side, double from, double to);
+
+/// Samples of `free-surface` at or after a time. Throws InputError when there is none.
+std::size_t heap_sample_at(const Subject& subject, double time);
+/// When the source has poured all of its particles; the end of the run without a count.
+double end_of_pouring(const Subject& subject);
+/// Particles that have been poured at a time.
+double poured_by(const Subject& subject, double time);
+
+/// Two dimensions, one source at a height above the pile, gravity down along y.
+bool is_heap(const Scene& scene);
+/// is_heap, on a plane between walls: nobody leaves.
+bool is_closed_heap(const Scene& scene);
+
+}  // namespace sandglass
