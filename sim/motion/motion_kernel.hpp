@@ -38,15 +38,10 @@ class RefusableKernel final : public RefusableStage<D> {
 
   void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
                std::uint32_t* targets) const override {
-    const CellLocator<D> locator(store.grid());
-    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
-    const auto particles = store.phases();
-    // Two of them, for a register reads past the end of the first.
-    Phase<D> copy[2] = {};
-    for (std::size_t i = first; i < last; ++i) {
-      copy[0] = particles[i];
-      targets[i] = locator.cell_of(flight.template fly<false>(copy[0], i));
-    }
+    if (store.cells().is_grid())
+      propose_with(CellLocator<D>(store.grid()), store, first, last, step, targets);
+    else
+      propose_with(LatticeLocator<D>(store.cells()), store, first, last, step, targets);
   }
 
   void advance_accepted(ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
@@ -58,6 +53,19 @@ class RefusableKernel final : public RefusableStage<D> {
   }
 
  private:
+  template <class Locator>
+  void propose_with(const Locator& locator, const ParticleStore<D>& store, std::size_t first,
+                    std::size_t last, const MotionStep& step, std::uint32_t* targets) const {
+    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+    const auto particles = store.phases();
+    // Two of them, for a register reads past the end of the first.
+    Phase<D> copy[2] = {};
+    for (std::size_t i = first; i < last; ++i) {
+      copy[0] = particles[i];
+      targets[i] = locator.cell_of(flight.template fly<false>(copy[0], i));
+    }
+  }
+
   typename Flight::Surroundings surroundings_;
 };
 

@@ -7,10 +7,10 @@ void RefusableMotion<D>::advance(ParticleStore<D>& store, const MotionStep& step
   const std::size_t count = store.size();
   targets_.resize(count);
   refused_.assign(count, 0);
-  entering_.assign(store.grid().size() + 1, 0);
+  entering_.assign(store.cells().size() + 1, 0);
   stage_->propose(store, 0, count, step, targets_.data());
   count_entering(store.offsets());
-  rule.decide({store.grid(), store.offsets(), targets_, entering_, refused_});
+  rule.decide({store.cells(), store.offsets(), targets_, entering_, refused_});
   stage_->advance_accepted(store, 0, count, step, refused_.data());
   take_places(store);
 }
@@ -34,7 +34,7 @@ void RefusableMotion<D>::take_places(ParticleStore<D>& store) const {
     for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i) {
       const std::uint32_t to = refused_[i] ? cell : targets_[i];
       places[i] = {to, arrivals[to]++};
-      if (refused_[i]) store.grid().put_into(cell, store.phases()[i].position);
+      if (refused_[i]) store.cells().put_into(cell, store.phases()[i].position);
     }
 }
 

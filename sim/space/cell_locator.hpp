@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/space/grid.hpp"
 #include "sim/space/lanes.hpp"
+#include "sim/space/lattice_of_cells.hpp"
 
 namespace sandglass {
 
@@ -35,6 +35,22 @@ class CellLocator {
  private:
   Real per_length_;
   Whole last_, stride_;
+};
+
+/// The same for the cells of any lattice.
+template <int D>
+class LatticeLocator {
+ public:
+  explicit LatticeLocator(const LatticeOfCells<D>& cells) : cells_(cells) {}
+
+  std::uint32_t cell_of(const typename Lanes<D>::Real& position) const {
+    Vector<D> point;
+    for (int axis = 0; axis < D; ++axis) point[axis] = position[axis];
+    return cells_.cell_of(point);
+  }
+
+ private:
+  const LatticeOfCells<D>& cells_;
 };
 
 }  // namespace sandglass

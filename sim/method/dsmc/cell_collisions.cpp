@@ -59,13 +59,14 @@ void stretch(std::span<Phase<D>> particles, double square) {
 }  // namespace
 
 template <int D>
-CellCollisions<D>::CellCollisions(const Parameters& parameters, const Grid<D>& grid, const FullCells<D>& full)
+CellCollisions<D>::CellCollisions(const Parameters& parameters, const LatticeOfCells<D>& cells,
+                                  const FullCells<D>& full)
     : full_(full),
       mass_(parameters.mass),
       restitution_(parameters.restitution),
       heat_share_(parameters.faults.heat_share),
       swap_(parameters.faults.colours_fixed ? 0 : 1),
-      choice_(grid.size()) {}
+      choice_(cells.size()) {}
 
 template <int D>
 void CellCollisions<D>::apply(const CellStep<D>& step) {

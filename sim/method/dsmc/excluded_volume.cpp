@@ -5,12 +5,12 @@ namespace sandglass::dsmc {
 template <int D>
 ExcludedVolumeOfCells<D>::ExcludedVolumeOfCells(const Parameters& parameters,
                                                 const motion::MotionParameters<D>& motion,
-                                                const Grid<D>& grid)
-    : full_(parameters, grid),
-      stage_(std::make_unique<CellCollisions<D>>(parameters, grid, full_)),
+                                                const LatticeOfCells<D>& cells)
+    : full_(parameters, cells),
+      stage_(std::make_unique<CellCollisions<D>>(parameters, cells, full_)),
       collisions_(stage_.get()),
-      entry_(parameters, grid, full_),
-      motion_(motion, grid.box()),
+      entry_(parameters, cells, full_),
+      motion_(motion, cells.grid().box()),
       everywhere_(parameters.excluded_volume.offset_in_full_cells),
       certain_entry_(parameters.excluded_volume.entry.empty()) {}
 

@@ -10,7 +10,7 @@ namespace {
 TEST(FullCells, HaveNoRoomForOneMore) {
   const Parameters parameters = crowd_parameters<2>();
   FullCells<2> full(parameters, crowd_grid<2>(2));
-  EXPECT_EQ(full.capacity(), 10U);  // ten are 0.8 exactly, though 0.8 / 0.08 is not
+  EXPECT_EQ(full.capacity(0), 10U);  // ten are 0.8 exactly, though 0.8 / 0.08 is not
   const std::vector<std::uint32_t> offsets = {0, 9, 19, 30, 30};
   full.update(offsets);
   EXPECT_FALSE(full.full(0));

@@ -33,11 +33,13 @@ const Capabilities& capabilities(const Scene& scene);
 /// Cells along each axis; empty where the method chooses them.
 std::vector<double> cells_along(const Scene& scene);
 /// The whole numbers of cells nearest to this edge, at least one along each axis; even along periodic axes where the
-/// method works on a checkerboard of cells.
+/// method works on a checkerboard of cells. Cells that stand on a corner are counted from corner to corner.
 std::vector<double> cells_of_edge(const Scene& scene, double edge);
 /// Cells take in no more than the densest packing; full ones collide on a checkerboard, which closes across a seam only
 /// with an even number of cells.
 bool has_full_cells(const Scene& scene);
+/// Cells are squares that stand on a corner.
+bool has_diagonal_cells(const Scene& scene);
 /// Collisions move their partners out of the cell whose pairs are counted.
 bool loses_pairs(const Scene& scene);
 /// The collision rate goes with the contact value of the local density.

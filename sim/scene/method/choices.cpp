@@ -56,11 +56,20 @@ bool has_full_cells(const Scene& scene) {
   return choice(scene.method, false, get);
 }
 
+bool has_diagonal_cells(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.lattice == CellLattice::diagonal) {
+    return options.lattice == CellLattice::diagonal;
+  };
+  return choice(scene.method, false, get);
+}
+
 std::vector<double> cells_of_edge(const Scene& scene, double edge) {
   std::vector<double> numbers;
+  const bool diagonal = has_diagonal_cells(scene);
   for (std::size_t axis = 0; axis < scene.domain.size.size(); ++axis) {
-    const double exact = scene.domain.size[axis] / edge;
-    const bool even = has_full_cells(scene) && scene.domain.sides[axis][0] == Side::periodic && exact >= 1.5;
+    const double exact = scene.domain.size[axis] / (diagonal ? M_SQRT2 * edge : edge);
+    const bool even =
+        has_full_cells(scene) && !diagonal && scene.domain.sides[axis][0] == Side::periodic && exact >= 1.5;
     numbers.push_back(std::max(1.0, even ? 2 * std::round(exact / 2) : std::round(exact)));
   }
   return numbers;

@@ -58,9 +58,7 @@ void read(Table& table, MethodOptions& options) {
   table.read_word("pair-count", "pair count", dsmc.pair_count, pair_count_words());
   read_excluded_volume(table, dsmc);
   read_impact(table, dsmc);
-  table.read("cells", dsmc.cells);
-  table.read("cell-size", dsmc.cell_size);
-  if (table.has("cells")) table.refuse("cell-size", "is given beside 'cells'; give one of them");
+  read_cells(table, dsmc);
 }
 
 void write(Lines& lines, const MethodOptions& options) {
@@ -72,8 +70,7 @@ void write(Lines& lines, const MethodOptions& options) {
   lines.add("pair-count", word_of(pair_count_words(), dsmc.pair_count));
   write_excluded_volume(lines, dsmc);
   write_impact(lines, dsmc);
-  if (!dsmc.cells.empty()) lines.add("cells", dsmc.cells);
-  lines.add("cell-size", dsmc.cell_size);
+  write_cells(lines, dsmc);
 }
 
 void check_corrected_offset(const Scene& scene, Diagnostics& diagnostics) {
@@ -161,6 +158,10 @@ MethodFamily make_family() {
              [](DsmcOptions& options) { options.impact = ImpactDistribution::fitted; }),
       hybrid("hsmc-offset-everywhere", "hsmc that displaces partners in full cells too: heaps do not rest",
              [](DsmcOptions& options) { options.offset_in_full_cells = true; }),
+      hybrid("hsmc-shift", "hsmc whose cells are displaced at random every step",
+             [](DsmcOptions& options) { options.lattice = CellLattice::shifted; }),
+      hybrid("hsmc-rotated", "hsmc with square cells that stand on a corner, in 2D",
+             [](DsmcOptions& options) { options.lattice = CellLattice::diagonal; }),
       fitted("dsmc-pb", "dsmc with impact parameters from p(b) = a/(1 - c b^2)")};
   family.keys = {"contact-factor",
                  "density",
@@ -174,6 +175,7 @@ MethodFamily make_family() {
                  "offset-in-full-cells",
                  "impact",
                  "impact-coefficient",
+                 "lattice",
                  "cells",
                  "cell-size"};
   family.read = read;
