@@ -92,7 +92,8 @@ class Builder final : public MethodBuilder<D> {
 
   double bytes_per_particle(double particles) const {
     const double per_cell = (parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8) +
-                            (parameters_.pair_count == PairCount::expected ? 44 : 0);
+                            (parameters_.pair_count == PairCount::expected ? 44 : 0) +
+                            (cells_.volumes().empty() ? 0 : 8 + 8);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
            (parameters_.excluded_volume.any() ? 5 : 0) +
            (per_cell + (parameters_.excluded_volume.any() ? 21 + 8 * D : 0)) * cells_.size() / particles;

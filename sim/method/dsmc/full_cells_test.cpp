@@ -24,6 +24,21 @@ TEST(FullCells, HaveNoRoomForOneMore) {
   EXPECT_FALSE(full.any());
 }
 
+/// A box around one square on a corner: a quarter cell in each of its corners.
+TEST(FullCells, AtWallsHoldByTheirVolume) {
+  const Parameters parameters = crowd_parameters<2>();
+  const auto cells =
+      LatticeOfCells<2>::diagonal(Grid<2>(Vector<2>(M_SQRT2, M_SQRT2), {1, 1}), {false, false});
+  FullCells<2> full(parameters, cells);
+  ASSERT_EQ(cells.size(), 5U);
+  for (const std::uint32_t corner : {0u, 1u, 3u, 4u}) EXPECT_EQ(full.capacity(corner), 2U);
+  EXPECT_EQ(full.capacity(2), 10U);
+  const std::vector<std::uint32_t> offsets = {0, 1, 3, 12, 15, 15};
+  full.update(offsets);
+  for (const std::uint32_t cell : {0u, 2u, 4u}) EXPECT_FALSE(full.full(cell));
+  for (const std::uint32_t cell : {1u, 3u}) EXPECT_TRUE(full.full(cell));
+}
+
 TEST(FullCells, CountRealParticles) {
   Parameters parameters = crowd_parameters<3>();
   parameters.excluded_volume.densest = 0.64;
