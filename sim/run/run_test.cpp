@@ -289,8 +289,14 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   dsmc_options(few).cells = {24, 24};
   few.species[0].fraction = 0.3;
   few.run.duration.steps = 300;
+  Scene full = gas();
+  choose(full.method, "hsmc-pb");
+  dsmc_options(full).cell_size = 2.5;
+  dsmc_options(full).densest_fraction = 0.12;
+  dsmc_options(full).impact_coefficient = {{0}, {0.5}};
   std::map<std::string, std::vector<Scene>> scenes;
-  for (const Scene& scene : {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven")})
+  for (const Scene& scene :
+       {gas(), few, full, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven")})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))

@@ -57,7 +57,16 @@ TEST(Reference, NamesEveryKeyPresetAndObserver) {
   Scene scene;
   scene.domain = {3, {1, 1, 1}, {{}, {}, {}}};
   scene.species.emplace_back() = {"a", 3, 0.1, 0.1, 1, 1, 1, 0, 1.0, 1.0};
-  scene.method.options = DsmcOptions{{}, {}, Offset::random, {}, 0.5, {1, 1, 1}, 1.0};
+  DsmcOptions dsmc;
+  dsmc.offset = Offset::random;
+  dsmc.excluded_volume = ExcludedVolume::cells;
+  dsmc.densest_fraction = 0.6;
+  dsmc.entry_curve = {{0.5}, {1}};
+  dsmc.impact = ImpactDistribution::fitted;
+  dsmc.impact_coefficient = {{0}, {0.5}};
+  dsmc.cells = {1, 1, 1};
+  dsmc.cell_size = 1.0;
+  scene.method.options = dsmc;
   scene.gravity = {0, 0, 1};
   scene.initial.velocity = {0, 0, 0};
   scene.initial.shear_wave = ShearWave{};

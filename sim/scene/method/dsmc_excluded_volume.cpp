@@ -75,6 +75,8 @@ void check_room(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagno
 void read_excluded_volume(Table& table, DsmcOptions& dsmc) {
   table.read_word("excluded-volume", "excluded volume", dsmc.excluded_volume, excluded_volume_words());
   if (dsmc.excluded_volume == ExcludedVolume::none && table.clean("excluded-volume")) {
+    dsmc.entry = Entry::free;  // what a preset chose beside cells goes with them
+    dsmc.offset_in_full_cells = false;
     for (const char* key : {"densest-fraction", "entry", "entry-probability", "offset-in-full-cells"})
       table.refuse(key, "is used with excluded-volume = \"cells\" only");
     return;
@@ -90,8 +92,8 @@ void read_excluded_volume(Table& table, DsmcOptions& dsmc) {
 }
 
 void write_excluded_volume(Lines& lines, const DsmcOptions& dsmc) {
-  if (dsmc.excluded_volume == ExcludedVolume::none) return;
   lines.add("excluded-volume", word_of(excluded_volume_words(), dsmc.excluded_volume));
+  if (dsmc.excluded_volume == ExcludedVolume::none) return;
   lines.add("densest-fraction", dsmc.densest_fraction);
   lines.add("entry", word_of(entry_words(), dsmc.entry));
   if (!dsmc.entry_curve.at.empty())

@@ -42,8 +42,8 @@ void read_impact(Table& table, DsmcOptions& dsmc) {
 }
 
 void write_impact(Lines& lines, const DsmcOptions& dsmc) {
-  if (dsmc.impact == ImpactDistribution::uniform) return;
   lines.add("impact", word_of(impact_words(), dsmc.impact));
+  if (dsmc.impact == ImpactDistribution::uniform) return;
   lines.add_table("impact-coefficient", {{"collisions-per-particle", write_value(dsmc.impact_coefficient.at)},
                                          {"value", write_value(dsmc.impact_coefficient.value)}});
 }
