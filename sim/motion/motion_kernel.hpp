@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/motion/motion_stage.hpp"
+#include "sim/motion/open_locator.hpp"
 
 namespace sandglass::motion {
 
@@ -14,7 +15,12 @@ class MotionKernel final : public MotionStage<D> {
 
   void advance(ParticleStore<D>& store, std::size_t first, std::size_t last,
                const MotionStep& step) const override {
-    const typename Flight::Locator locator(store.grid());
+    with_locator<Flight>(store.cells(), [&](auto locator) { fly(locator, store, first, last, step); });
+  }
+
+ private:
+  void fly(const auto locator, ParticleStore<D>& store, std::size_t first, std::size_t last,
+           const MotionStep& step) const {
     const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
@@ -26,7 +32,6 @@ class MotionKernel final : public MotionStage<D> {
     }
   }
 
- private:
   typename Flight::Surroundings surroundings_;
 };
 
@@ -38,15 +43,16 @@ class RefusableKernel final : public RefusableStage<D> {
 
   void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
                std::uint32_t* targets) const override {
-    const typename Flight::Locator locator(store.grid());
-    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
-    const auto particles = store.phases();
-    // Two of them, for a register reads past the end of the first.
-    Phase<D> copy[2] = {};
-    for (std::size_t i = first; i < last; ++i) {
-      copy[0] = particles[i];
-      targets[i] = locator.cell_of(flight.template fly<false>(copy[0], i));
-    }
+    with_locator<Flight>(store.cells(), [&](auto locator) {
+      const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+      const auto particles = store.phases();
+      // Two of them, for a register reads past the end of the first.
+      Phase<D> copy[2] = {};
+      for (std::size_t i = first; i < last; ++i) {
+        copy[0] = particles[i];
+        targets[i] = locator.cell_of(flight.template fly<false>(copy[0], i));
+      }
+    });
   }
 
   void advance_accepted(ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,

@@ -26,7 +26,8 @@ class PlainFlight {
  public:
   static constexpr int kDimension = D;
   using Surroundings = MotionParameters<D>;
-  using Locator = CellLocator<D>;
+  template <class InBox>
+  using Locator = InBox;
   using Lane = Lanes<D>;
 
   PlainFlight(const Surroundings& parameters, const Vector<D>& box, const MotionStep& step,

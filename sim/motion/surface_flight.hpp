@@ -20,7 +20,8 @@ class SurfaceFlight {
  public:
   static constexpr int kDimension = D;
   using Surroundings = Surfaces<D>;
-  using Locator = std::conditional_t<Open, OpenLocator<D>, CellLocator<D>>;
+  template <class InBox>
+  using Locator = std::conditional_t<Open, OpenLocator<D, InBox>, InBox>;
   using Lane = Lanes<D>;
   using Real = typename Lane::Real;
 

@@ -6,15 +6,15 @@
 namespace sandglass::dsmc {
 
 template <int D>
-LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const Grid<D>& grid,
+LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const LatticeOfCells<D>& cells,
                                           const std::array<bool, D>& periodic, double particles)
     : formula_(parameters.factor.formula),
       smoothed_(parameters.factor.smoothed),
       fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) /
-                             grid.cell_volume()),
+                             cells.grid().cell_volume()),
       densest_(D == 2 ? M_PI / std::sqrt(12.0) : M_PI / std::sqrt(18.0)),
-      window_(grid, periodic, particles / grid.size(), smoothed_ ? window_particles(parameters) : 0),
-      factor_(grid.size()) {}
+      window_(cells, periodic, particles / cells.grid().size(), smoothed_ ? window_particles(parameters) : 0),
+      factor_(cells.size()) {}
 
 template <int D>
 double LocalContactFactor<D>::smoothed(std::uint32_t cell) const {
@@ -28,9 +28,11 @@ template <int D>
 void LocalContactFactor<D>::update(std::span<const std::uint32_t> offsets) {
   window_.update(offsets);
   for (std::uint32_t cell = 0; cell < factor_.size(); ++cell)
-    factor_[cell] = smoothed_
-                        ? smoothed(cell)
-                        : formula_(std::min(window_.sum(cell) * fraction_per_particle_, densest_)).value;
+    factor_[cell] =
+        smoothed_
+            ? smoothed(cell)
+            : formula_(std::min(window_.sum(cell) * fraction_per_particle_ / window_.cells(cell), densest_))
+                  .value;
 }
 
 template class LocalContactFactor<2>;
