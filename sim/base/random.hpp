@@ -19,6 +19,7 @@ enum class Purpose : std::uint64_t {
   spins = 8,          ///< index: particle
   sources = 9,        ///< step: source, index: its particle; where it appears
   entry = 10,         ///< index: (cell, place); moves into cells that may refuse them
+  lattice = 11,       ///< index: 0; where the cells of a step are displaced to
 };
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.

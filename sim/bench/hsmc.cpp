@@ -28,8 +28,23 @@ Parameters parameters_at(double fraction, bool hybrid) {
   return parameters;
 }
 
+enum class Cells { fixed, shifted, diagonal };
+
 template <int D>
-void moves(benchmark::State& state, double fraction, bool hybrid) {
+LatticeOfCells<D> lattice(const Grid<D>& grid, Cells cells) {
+  std::array<bool, D> periodic;
+  periodic.fill(true);
+  if (cells == Cells::shifted) return LatticeOfCells<D>::shifted(grid, periodic);
+  if constexpr (D == 2)
+    if (cells == Cells::diagonal) {
+      const auto corners = static_cast<std::uint32_t>(std::lround(grid.cells(0) / M_SQRT2));
+      return LatticeOfCells<D>::diagonal(Grid<D>(grid.box(), {corners, corners}), periodic);
+    }
+  return grid;
+}
+
+template <int D>
+void moves(benchmark::State& state, double fraction, bool hybrid, Cells kind = Cells::fixed) {
   const auto edge = static_cast<std::uint32_t>(2 * std::lround(0.5 * std::pow(1e5 / kPerCell, 1.0 / D)));
   std::array<std::uint32_t, D> cells;
   cells.fill(edge);
@@ -40,7 +55,7 @@ void moves(benchmark::State& state, double fraction, bool hybrid) {
       M_SQRT2 * kPerCell * parameters.cross_section * parameters.factor.formula(fraction).value * mean_speed;
   motion::MotionParameters<D> motion;
   motion.offsets = true;
-  Dsmc<D> dsmc(Grid<D>(Vector<D>::Constant(edge), cells), parameters, motion, Streams{});
+  Dsmc<D> dsmc(lattice(Grid<D>(Vector<D>::Constant(edge), cells), kind), parameters, motion, Streams{});
   dsmc.assign({scattered<D>(count, edge), {}});
   std::uint64_t step = 0;
   while (step < 100) dsmc.step(kCollisionsPerStep / rate, step++);
@@ -62,6 +77,14 @@ void add(const std::string& name, double fraction) {
         ->Unit(benchmark::kMillisecond);
 }
 
+/// Full cells that are displaced every step, or stand on a corner.
+template <int D>
+void add_lattice(const std::string& name, double fraction, Cells cells) {
+  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+    moves<D>(state, fraction, true, cells);
+  })->Unit(benchmark::kMillisecond);
+}
+
 const bool registered = [] {
   add<2>("2d_dilute_", 0.05);
   add<2>("2d_dense_", 0.4);
@@ -69,6 +92,10 @@ const bool registered = [] {
   add<3>("3d_dilute_", 0.05);
   add<3>("3d_dense_", 0.3);
   add<3>("3d_crowded_", 0.55);
+  add_lattice<2>("2d_dilute_shifted", 0.05, Cells::shifted);
+  add_lattice<2>("2d_crowded_shifted", 0.7, Cells::shifted);
+  add_lattice<2>("2d_dilute_diagonal", 0.05, Cells::diagonal);
+  add_lattice<2>("2d_crowded_diagonal", 0.7, Cells::diagonal);
   return true;
 }();
 

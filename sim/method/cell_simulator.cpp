@@ -5,15 +5,15 @@
 namespace sandglass {
 
 template <int D>
-CellSimulator<D>::CellSimulator(const Grid<D>& grid, const SpeciesTraits& traits, double weight,
+CellSimulator<D>::CellSimulator(const LatticeOfCells<D>& cells, const SpeciesTraits& traits, double weight,
                                 const motion::MotionParameters<D>& motion, const Streams& streams,
                                 const std::vector<ColumnInfo>& columns)
     : streams_(streams),
-      store_(grid, columns),
+      store_(cells, columns),
       traits_(traits),
       weight_(weight),
       motion_parameters_(motion),
-      motion_(motion::make_motion_stage<D>(motion, grid.box())) {}
+      motion_(motion::make_motion_stage<D>(motion, cells.grid().box())) {}
 
 template <int D>
 void CellSimulator<D>::assign(const Particles<D>& particles) {

@@ -14,7 +14,7 @@ template <int D>
 class CellSimulator : public Simulator<D> {
  public:
   /// Of `columns` (docs/particle-columns.md) only those exist that are named.
-  CellSimulator(const Grid<D>& grid, const SpeciesTraits& traits, double weight,
+  CellSimulator(const LatticeOfCells<D>& cells, const SpeciesTraits& traits, double weight,
                 const motion::MotionParameters<D>& motion, const Streams& streams,
                 const std::vector<ColumnInfo>& columns);
 

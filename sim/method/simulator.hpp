@@ -33,6 +33,11 @@ class Simulator {
   /// What a bitwise restart needs beside the view and the tally; and back, after assign().
   virtual Memory save() const { return {}; }
   virtual void load(const Memory&) {}
+  /// Both, where the order of the particles depends on what was saved.
+  virtual void restore(const Particles<D>& particles, const Memory& memory) {
+    assign(particles);
+    load(memory);
+  }
   /// Bytes held, everything included.
   virtual std::size_t bytes() const = 0;
 

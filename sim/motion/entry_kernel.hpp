@@ -1,11 +1,13 @@
 #pragma once
 
 #include "sim/motion/entry_stage.hpp"
+#include "sim/motion/open_locator.hpp"
 #include "sim/motion/stream_index.hpp"
 
 namespace sandglass::motion {
 
-/// The loop over the particles of each cell: a `Flight` looks where one would end, and flies it there if it may.
+/// The loop over the particles of each cell: a `Flight` looks where one would end, and flies it there if it may. A flight
+/// with bounces, hundreds for who rests on a floor, is not flown again unless something counts them.
 template <class Flight, bool Counts, int D = Flight::kDimension>
 class EntryKernel final : public EntryStage<D> {
  public:
@@ -14,29 +16,41 @@ class EntryKernel final : public EntryStage<D> {
 
   std::uint64_t advance(ParticleStore<D>& store, std::uint32_t first, std::uint32_t last,
                         const MotionStep& step, const CellEntries& entries) const override {
-    const typename Flight::Locator locator(store.grid());
+    return with_locator<Flight>(
+        store.cells(), [&](auto locator) { return fly(locator, store, first, last, step, entries); });
+  }
+
+ private:
+  std::uint64_t fly(const auto locator, ParticleStore<D>& store, std::uint32_t first, std::uint32_t last,
+                    const MotionStep& step, const CellEntries& entries) const {
     const auto offsets = store.offsets();
     const Flight flight(surroundings_, store.grid().box(), step, offsets);
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();
     std::uint64_t refused = 0;
-    for (std::uint32_t cell = first; cell < last; ++cell)
+    Phase<D> arrived = {};
+    for (std::uint32_t cell = first; cell < last; ++cell) {
+      const bool within = !entries.within_too || entries.full[cell] == 0;
       for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i) {
-        std::uint32_t to = locator.cell_of(flight.look(particles[i], i));
-        if (to == cell || admits(entries, to, cell, i - offsets[cell])) {
-          flight.template fly<Counts>(particles[i], i);
+        bool bounded = false;
+        std::uint32_t to = locator.cell_of(flight.look(particles[i], i, arrived, bounded));
+        if ((to == cell && within) || admits(entries, to, cell, i - offsets[cell])) {
+          if (bounded && !Counts)
+            particles[i] = arrived;
+          else
+            flight.template fly<Counts>(particles[i], i);
         } else {
           to = cell;
           ++refused;
-          if (offsets_) store.grid().put_into(cell, particles[i].position);
+          if (offsets_) store.cells().put_into(cell, particles[i].position);
         }
         places[i] = {to, arrivals[to]++};
       }
+    }
     return refused;
   }
 
- private:
   static bool admits(const CellEntries& entries, std::uint32_t to, std::uint32_t from, std::uint32_t place) {
     if (entries.full[to] != 0) return false;
     if (entries.probability == nullptr || entries.probability[to] >= 1) return true;

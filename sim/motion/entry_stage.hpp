@@ -10,9 +10,10 @@ struct CellEntries {
   const std::uint8_t* full;  ///< per cell, and for those who leave the box: not zero where nobody comes in
   const float* probability = nullptr;  ///< of coming into each that is not full; null: one
   StreamKey key = {};                  ///< of the draws, one a particle, named by stream_index()
+  bool within_too = false;  ///< moves that begin in the full cell where they end are refused as well
 };
 
-/// Free flight over one step where moves into other cells may be refused, in one pass. A refused particle keeps place,
+/// Free flight over one step where moves into cells may be refused, in one pass. A refused particle keeps place,
 /// velocity and cell, and gets no gravity; a place that an offset has taken out of the cell is moved back to its edge.
 /// The slow twin is RefusableMotion.
 template <int D>

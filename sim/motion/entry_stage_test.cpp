@@ -19,12 +19,12 @@ class SameEntries final : public EntryRule<D> {
  public:
   explicit SameEntries(const CellEntries& entries) : entries_(entries) {}
   void decide(const Proposals<D>& moves) override {
-    for (std::uint32_t cell = 0; cell < moves.grid.size(); ++cell)
+    for (std::uint32_t cell = 0; cell < moves.cells.size(); ++cell)
       for (std::uint32_t i = moves.offsets[cell]; i < moves.offsets[cell + 1]; ++i) {
         const std::uint32_t to = moves.targets[i];
-        if (to == cell || to == moves.grid.size()) continue;
+        if (to == moves.cells.size() || (to == cell && !entries_.within_too)) continue;
         const double drawn = Random(entries_.key, stream_index(cell, i - moves.offsets[cell])).uniform();
-        moves.refused[i] = entries_.full[to] != 0 || drawn >= entries_.probability[to];
+        moves.refused[i] = entries_.full[to] != 0 || (to != cell && drawn >= entries_.probability[to]);
       }
     refused = static_cast<std::uint64_t>(std::ranges::count(moves.refused, 1));
   }
@@ -45,10 +45,10 @@ MotionParameters<D> surroundings(int which) {
 }
 
 template <int D>
-void expect_like_two_passes(int which) {
+void expect_like_two_passes(int which, const LatticeOfCells<D>& lattice, bool within_too) {
   const auto parameters = surroundings<D>(which);
-  auto one = scattered<D>(2, 0, 16 * (D == 2 ? 25 : 125)), two = scattered<D>(2, 0, 16 * (D == 2 ? 25 : 125));
-  const std::uint32_t cells = one.grid().size();
+  const std::uint32_t cells = lattice.size();
+  auto one = scattered<D>(2, 0, 16 * cells, lattice), two = scattered<D>(2, 0, 16 * cells, lattice);
   const auto stage = make_entry_stage<D>(parameters, box<D>());
   RefusableMotion<D> passes(parameters, box<D>());
   std::uint64_t all = 0;
@@ -59,7 +59,7 @@ void expect_like_two_passes(int which) {
       full[cell] = (cell + step) % 3 == 0;
       probability[cell] = (cell + step) % 5 == 0 ? 0.3F : 1;
     }
-    const CellEntries entries{full.data(), probability.data(), wall_key(100 + step)};
+    const CellEntries entries{full.data(), probability.data(), wall_key(100 + step), within_too};
     const MotionStep now{0.2, 0, wall_key(step)};
     SameEntries<D> rule(entries);
     passes.advance(two, now, rule);
@@ -82,8 +82,21 @@ void expect_like_two_passes(int which) {
 
 TEST(EntryStage, MovesLikeTheFlightInTwoPasses) {
   for (int which = 0; which < 4; ++which) {
-    expect_like_two_passes<2>(which);
-    expect_like_two_passes<3>(which);
+    expect_like_two_passes<2>(which, five_cells<2>(), false);
+    expect_like_two_passes<3>(which, five_cells<3>(), false);
+  }
+}
+
+TEST(EntryStage, KnowsEveryLattice) {
+  for (int which = 0; which < 4; ++which) {
+    const bool around = which == 0;
+    auto squares = LatticeOfCells<2>::shifted(five_cells<2>(), {around, true});
+    auto cubes = LatticeOfCells<3>::shifted(five_cells<3>(), {around, true, true});
+    squares.shift({0.3, -0.4});
+    cubes.shift({-0.2, 0.1, 0.45});
+    expect_like_two_passes<2>(which, squares, true);
+    expect_like_two_passes<3>(which, cubes, true);
+    expect_like_two_passes<2>(which, LatticeOfCells<2>::diagonal(five_cells<2>(), {around, true}), false);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/motion/motion_stage.hpp"
+#include "sim/motion/open_locator.hpp"
 
 namespace sandglass::motion {
 
@@ -14,7 +15,12 @@ class MotionKernel final : public MotionStage<D> {
 
   void advance(ParticleStore<D>& store, std::size_t first, std::size_t last,
                const MotionStep& step) const override {
-    const typename Flight::Locator locator(store.grid());
+    with_locator<Flight>(store.cells(), [&](auto locator) { fly(locator, store, first, last, step); });
+  }
+
+ private:
+  void fly(const auto locator, ParticleStore<D>& store, std::size_t first, std::size_t last,
+           const MotionStep& step) const {
     const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
@@ -26,7 +32,6 @@ class MotionKernel final : public MotionStage<D> {
     }
   }
 
- private:
   typename Flight::Surroundings surroundings_;
 };
 
@@ -38,13 +43,14 @@ class RefusableKernel final : public RefusableStage<D> {
 
   void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
                std::uint32_t* targets, Phase<D>* arrived) const override {
-    const typename Flight::Locator locator(store.grid());
-    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
-    const auto particles = store.phases();
-    for (std::size_t i = first; i < last; ++i) {
-      arrived[i] = particles[i];
-      targets[i] = locator.cell_of(flight.template fly<false>(arrived[i], i));
-    }
+    with_locator<Flight>(store.cells(), [&](auto locator) {
+      const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+      const auto particles = store.phases();
+      for (std::size_t i = first; i < last; ++i) {
+        arrived[i] = particles[i];
+        targets[i] = locator.cell_of(flight.template fly<false>(arrived[i], i));
+      }
+    });
   }
 
   /// Flies again only to count: who rests on a floor may bounce a hundred times in a step.

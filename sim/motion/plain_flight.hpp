@@ -26,7 +26,8 @@ class PlainFlight {
  public:
   static constexpr int kDimension = D;
   using Surroundings = MotionParameters<D>;
-  using Locator = CellLocator<D>;
+  template <class InBox>
+  using Locator = InBox;
   using Lane = Lanes<D>;
 
   PlainFlight(const Surroundings& parameters, const Vector<D>& box, const MotionStep& step,
@@ -49,15 +50,17 @@ class PlainFlight {
     return position;
   }
 
-  /// Where fly() would end.
-  [[gnu::always_inline]] typename Lane::Real look(const Phase<D>& particle, std::size_t) const {
+  /// Where fly() would end. A path that meets boundaries is flown in `arrived`, and `bounded` set.
+  [[gnu::always_inline]] typename Lane::Real look(const Phase<D>& particle, std::size_t, Phase<D>& arrived,
+                                                  bool& bounded) const {
     const double* components = particle.position.data();
     const typename Lane::Real start = Lane::load(components), velocity = Lane::load(components + D);
     const typename Lane::Real position = flight_.template end<Gravity>(start, velocity);
     if (stays(start, velocity, position)) [[likely]]
       return position;
-    Phase<D> copy = particle;
-    return fly_bounded(parameters_, box_, dt_, nullptr, copy);
+    arrived = particle;
+    bounded = true;
+    return fly_bounded(parameters_, box_, dt_, nullptr, arrived);
   }
 
  private:

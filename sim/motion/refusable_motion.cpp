@@ -8,11 +8,11 @@ void RefusableMotion<D>::advance(ParticleStore<D>& store, const MotionStep& step
   targets_.resize(count);
   arrived_.resize(count + 1);
   refused_.assign(count, 0);
-  entering_.assign(store.grid().size() + 1, 0);
+  entering_.assign(store.cells().size() + 1, 0);
   stage_->propose(store, 0, count, step, targets_.data(), arrived_.data());
   count_entering(store.offsets());
   rule.decide(
-      {store.grid(), store.offsets(), targets_, std::span(entering_).first(store.grid().size()), refused_});
+      {store.cells(), store.offsets(), targets_, std::span(entering_).first(store.cells().size()), refused_});
   if (entering_.back() > 0) let_go(store.removed());
   stage_->advance_accepted(store, 0, count, step, refused_.data(), arrived_.data());
   take_places(store);
@@ -44,7 +44,7 @@ void RefusableMotion<D>::take_places(ParticleStore<D>& store) const {
     for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i) {
       const std::uint32_t to = refused_[i] ? cell : targets_[i];
       places[i] = {to, arrivals[to]++};
-      if (refused_[i]) store.grid().put_into(cell, store.phases()[i].position);
+      if (refused_[i]) store.cells().put_into(cell, store.phases()[i].position);
     }
 }
 

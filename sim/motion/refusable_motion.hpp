@@ -10,7 +10,7 @@ namespace sandglass::motion {
 /// The moves of one step before they happen. Particles stand in the order (old cell, old place).
 template <int D>
 struct Proposals {
-  const Grid<D>& grid;
+  const LatticeOfCells<D>& cells;
   std::span<const std::uint32_t> offsets;  ///< first particle of each cell, one more entry than cells
   std::span<const std::uint32_t>
       targets;  ///< cell where each particle would arrive; the number of cells: it would leave

@@ -19,12 +19,12 @@ template <int D>
 class RoomForFew final : public EntryRule<D> {
  public:
   void decide(const Proposals<D>& moves) override {
-    std::vector<std::vector<std::pair<std::uint64_t, std::size_t>>> queue(moves.grid.size());
-    for (std::uint32_t cell = 0; cell < moves.grid.size(); ++cell)
+    std::vector<std::vector<std::pair<std::uint64_t, std::size_t>>> queue(moves.cells.size());
+    for (std::uint32_t cell = 0; cell < moves.cells.size(); ++cell)
       for (std::uint32_t i = moves.offsets[cell]; i < moves.offsets[cell + 1]; ++i)
         if (moves.targets[i] != cell)
           queue[moves.targets[i]].push_back({draw(cell, i - moves.offsets[cell]), i});
-    for (std::uint32_t cell = 0; cell < moves.grid.size(); ++cell) {
+    for (std::uint32_t cell = 0; cell < moves.cells.size(); ++cell) {
       ASSERT_EQ(queue[cell].size(), moves.entering[cell]);
       const std::uint32_t held = moves.offsets[cell + 1] - moves.offsets[cell];
       std::ranges::sort(queue[cell]);

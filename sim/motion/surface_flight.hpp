@@ -20,7 +20,8 @@ class SurfaceFlight {
  public:
   static constexpr int kDimension = D;
   using Surroundings = Surfaces<D>;
-  using Locator = std::conditional_t<Open, OpenLocator<D>, CellLocator<D>>;
+  template <class InBox>
+  using Locator = std::conditional_t<Open, OpenLocator<D, InBox>, InBox>;
   using Lane = Lanes<D>;
   using Real = typename Lane::Real;
 
@@ -57,15 +58,17 @@ class SurfaceFlight {
     return in_box(end);
   }
 
-  /// Where fly() would end.
-  [[gnu::always_inline]] Real look(const Phase<D>& particle, std::size_t i) const {
+  /// Where fly() would end. A path that meets boundaries is flown in `arrived`, and `bounded` set.
+  [[gnu::always_inline]] Real look(const Phase<D>& particle, std::size_t i, Phase<D>& arrived,
+                                   bool& bounded) const {
     const double* components = particle.position.data();
     const Real start = Lane::load(components), velocity = Lane::load(components + D);
     const Real end = free_.template end<true>(start, velocity);
     if (stays(start, velocity, end)) [[likely]]
       return in_box(end);
-    Phase<D> copy = particle;
-    return fly_bounded<false>(copy, i);
+    arrived = particle;
+    bounded = true;
+    return fly_bounded<false>(arrived, i);
   }
 
  private:

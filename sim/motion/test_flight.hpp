@@ -19,17 +19,24 @@ Vector<D> random_vector(Random& random) {
 }
 
 template <int D>
-ParticleStore<D> store_of(const std::vector<Phase<D>>& particles) {
+Grid<D> five_cells() {
   std::array<std::uint32_t, D> cells;
   cells.fill(5);
-  ParticleStore<D> store(Grid<D>(box<D>(), cells), {column::id});
+  return {box<D>(), cells};
+}
+
+template <int D>
+ParticleStore<D> store_of(const std::vector<Phase<D>>& particles,
+                          const LatticeOfCells<D>& cells = five_cells<D>()) {
+  ParticleStore<D> store(cells, {column::id});
   store.assign({particles, {}});
   return store;
 }
 
 /// Particles anywhere in the box, `speed` at most along each axis; `beyond`: displaced afterwards, as offsets do it.
 template <int D>
-ParticleStore<D> scattered(double speed, double beyond = 0, std::size_t count = 2000) {
+ParticleStore<D> scattered(double speed, double beyond = 0, std::size_t count = 2000,
+                           const LatticeOfCells<D>& cells = five_cells<D>()) {
   Random random(StreamKey(3, Purpose::positions, 0, 0), 0);
   std::vector<Phase<D>> particles(count);
   for (Phase<D>& particle : particles)
@@ -37,7 +44,7 @@ ParticleStore<D> scattered(double speed, double beyond = 0, std::size_t count = 
       particle.position[axis] = box<D>()[axis] * random.uniform();
       particle.velocity[axis] = speed * (2 * random.uniform() - 1);
     }
-  ParticleStore<D> store = store_of<D>(particles);
+  ParticleStore<D> store = store_of<D>(particles, cells);
   for (Phase<D>& particle : store.phases())
     for (int axis = 0; axis < D; ++axis) particle.position[axis] += beyond * (2 * random.uniform() - 1);
   return store;

@@ -19,7 +19,8 @@ Vector<3> value_of(std::uint64_t id) {
 }
 
 dsmc::Dsmc<2> gas() {
-  return dsmc::Dsmc<2>({Vector<2>(4, 4), {4, 4}}, {}, {}, {}, Purpose::collisions, {column::id, kMadeUp});
+  return dsmc::Dsmc<2>(Grid<2>(Vector<2>(4, 4), {4, 4}), {}, {}, {}, Purpose::collisions,
+                       {column::id, kMadeUp});
 }
 
 Particles<2> start() {

@@ -147,8 +147,7 @@ State ReplicaRun<D>::save() {
 
 template <int D>
 void ReplicaRun<D>::load(const State& state) {
-  simulator_->assign(particles_of<D>(state.particles));
-  simulator_->load(state.memory);
+  simulator_->restore(particles_of<D>(state.particles), state.memory);
   simulator_->tally().load(state.memory);
   stepper_.load(state.memory.at("time-step"));
   collisions_.load(state.memory.at("collisions"));

@@ -160,6 +160,23 @@ TEST(Run, ResumesBitwiseFromEveryCheckpoint) {
   }
 }
 
+/// The particles of a checkpoint stand in the cells of the coming step.
+TEST(Run, ResumesBitwiseOnEveryLattice) {
+  for (const CellLattice lattice : {CellLattice::shifted, CellLattice::diagonal}) {
+    Scene scene = gas();
+    DsmcOptions& options = std::get<DsmcOptions>(scene.method.options);
+    options.lattice = lattice;
+    options.excluded_volume = ExcludedVolume::cells;
+    options.densest_fraction = 0.12;  // so that some cells are full
+    const Record whole = run_scene(scene);
+    EXPECT_GT(whole.replicas[0].counters.at("moves-refused"), 100);
+    RunOptions keep;
+    keep.checkpoint_path = testing::TempDir() + "run_lattice.checkpoint.h5";
+    run_scene(scene, keep);
+    expect_same(resume(read_record(keep.checkpoint_path)), whole);
+  }
+}
+
 /// Local times, what was foreseen, spins, contact times and the draws of a thermal wall all go along.
 TEST(Run, EventDrivenResumesBitwise) {
   Scene scene = hard_disks();

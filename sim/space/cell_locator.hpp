@@ -1,18 +1,19 @@
 #pragma once
 
-#include "sim/space/grid.hpp"
 #include "sim/space/lanes.hpp"
+#include "sim/space/lattice_of_cells.hpp"
 
 namespace sandglass {
 
-/// Grid::cell_of for the inner loop: all axes at once. The slow twin is Grid::cell_of.
+/// Grid::cell_of for the inner loop, all axes at once, where the cells are those of a grid. The slow twin is Grid::cell_of.
 template <int D>
 class CellLocator {
  public:
   using Real = typename Lanes<D>::Real;
   using Whole = typename Lanes<D>::Whole;
 
-  explicit CellLocator(const Grid<D>& grid) : per_length_{}, last_{}, stride_{} {
+  explicit CellLocator(const LatticeOfCells<D>& cells) : per_length_{}, last_{}, stride_{} {
+    const Grid<D>& grid = cells.grid();
     int stride = 1;
     for (int axis = 0; axis < D; ++axis) {
       per_length_[axis] = grid.cells_per_length(axis);
@@ -35,6 +36,22 @@ class CellLocator {
  private:
   Real per_length_;
   Whole last_, stride_;
+};
+
+/// The same for the cells of any lattice.
+template <int D>
+class LatticeLocator {
+ public:
+  explicit LatticeLocator(const LatticeOfCells<D>& cells) : cells_(cells) {}
+
+  std::uint32_t cell_of(const typename Lanes<D>::Real& position) const {
+    Vector<D> point;
+    for (int axis = 0; axis < D; ++axis) point[axis] = position[axis];
+    return cells_.cell_of(point);
+  }
+
+ private:
+  const LatticeOfCells<D>& cells_;
 };
 
 }  // namespace sandglass

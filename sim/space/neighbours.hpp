@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/space/grid.hpp"
+#include "sim/space/lattice_of_cells.hpp"
 
 #include <array>
 #include <cstdint>
@@ -8,38 +8,44 @@
 
 namespace sandglass {
 
-/// Which cells of a grid share a side, across periodic edges too, and these pairs on a checkerboard: within one colour of
-/// an axis no cell has two partners, so that its pairs may be worked on in any order.
+/// Which cells share a side, across periodic edges too, and these pairs on a checkerboard: within one colour of an axis no
+/// cell has two partners, so that its pairs may be worked on in any order. The axes of diagonal cells are their own.
 template <int D>
 class Neighbours {
  public:
-  Neighbours(const Grid<D>& grid, const std::array<bool, D>& periodic) : periodic_(periodic) {
+  Neighbours(const LatticeOfCells<D>& cells, const std::array<bool, D>& periodic)
+      : diagonal_(cells.diagonal_cells()), periodic_(periodic), size_(cells.size()) {
     std::uint32_t stride = 1;
     for (std::size_t axis = 0; axis < D; ++axis) {
-      cells_[axis] = grid.cells(static_cast<int>(axis));
+      cells_[axis] = cells.grid().cells(static_cast<int>(axis));
       stride_[axis] = stride;
       stride *= cells_[axis];
+      alternate_ = alternate_ && (diagonal_ || !periodic[axis] || cells_[axis] == 1 || cells_[axis] % 2 == 0);
     }
-    size_ = stride;
   }
 
   /// The next cell along an axis; none behind a wall. A periodic axis of one cell is its own neighbour.
   std::optional<std::uint32_t> neighbour(std::uint32_t cell, int axis, bool up) const {
+    if (diagonal_) return diagonal_->neighbour(cell, axis, up);
     const auto a = static_cast<std::size_t>(axis);
-    const std::uint32_t place = coordinate(cell, a), last = cells_[a] - 1;
-    if (place != (up ? last : 0)) return up ? cell + stride_[a] : cell - stride_[a];
-    if (!periodic_[a]) return std::nullopt;
-    return up ? cell - last * stride_[a] : cell + last * stride_[a];
+    const std::uint32_t place = coordinate(cell, a);
+    if (!periodic_[a] && place == (up ? cells_[a] - 1 : 0)) return std::nullopt;
+    return beside(cell, axis, place)[up];
   }
 
   /// Calls visit(neighbour, unit vector towards it) for every cell that shares a side with this one; a cell that is its
   /// own neighbour is none.
   template <class Visit>
   void for_each_neighbour(std::uint32_t cell, Visit visit) const {
-    for (int axis = 0; axis < D; ++axis)
-      for (const bool up : {false, true})
-        if (const auto next = neighbour(cell, axis, up); next && *next != cell)
-          visit(*next, Vector<D>((up ? 1.0 : -1.0) * Vector<D>::Unit(axis)));
+    std::uint32_t rest = cell;
+    for (int axis = 0; axis < D; ++axis) {
+      const std::uint32_t cells = cells_[static_cast<std::size_t>(axis)];
+      const auto [down, up] = beside(cell, axis, rest % cells);
+      rest /= cells;
+      const Vector<D> upwards = direction(axis);
+      if (down != cell) visit(down, Vector<D>(-upwards));
+      if (up != cell) visit(up, upwards);
+    }
   }
 
   /// Calls visit(other) for this cell and every one that shares a side, an edge or a corner with it; more than once for the
@@ -52,27 +58,31 @@ class Neighbours {
   /// Colour on a checkerboard over all axes, 0 or 1, that swaps with every turn. A periodic axis with an odd number of cells
   /// has one pair of neighbouring layers alike, which moves on by a layer every other turn.
   std::uint32_t colour(std::uint32_t cell, std::uint64_t turn) const {
+    if (diagonal_) return static_cast<std::uint32_t>((diagonal_->parity(cell) + turn) % 2);
     std::uint64_t sum = turn;
     for (std::size_t axis = 0; axis < D; ++axis) {
-      const std::uint64_t place = coordinate(cell, axis);
+      const std::uint64_t place = cell % cells_[axis];
+      cell /= cells_[axis];
       sum += periodic_[axis] && cells_[axis] % 2 == 1 ? (place + turn / 2) % cells_[axis] : place;
     }
     return static_cast<std::uint32_t>(sum % 2);
   }
 
+  /// Whether all neighbours differ in colour, at every turn.
+  bool alternate() const { return alternate_; }
+
   /// Three where a periodic axis has an odd number of cells, else two.
   int colours(int axis) const {
     const auto a = static_cast<std::size_t>(axis);
-    return periodic_[a] && cells_[a] % 2 == 1 ? 3 : 2;
+    return !diagonal_ && periodic_[a] && cells_[a] % 2 == 1 ? 3 : 2;
   }
   /// Calls visit(cell, next cell up the axis) for every pair of one colour. All colours together give every pair of
   /// different cells once; two cells on a periodic axis have two sides in common and come twice.
   template <class Visit>
   void for_each_pair(int axis, int colour, Visit visit) const {
-    const auto a = static_cast<std::size_t>(axis);
     for (std::uint32_t cell = 0; cell < size_; ++cell) {
       const auto next = neighbour(cell, axis, true);
-      if (next && *next != cell && colour_of(coordinate(cell, a), axis) == colour) visit(cell, *next);
+      if (next && *next != cell && colour_of(cell, axis) == colour) visit(cell, *next);
     }
   }
 
@@ -85,18 +95,38 @@ class Neighbours {
       if (const auto next = neighbour(cell, axis, up)) visit_around(*next, axis + 1, visit);
   }
 
+  /// The next cells down and up an axis along which this one has `place`; itself where there is none.
+  std::array<std::uint32_t, 2> beside(std::uint32_t cell, int axis, std::uint32_t place) const {
+    if (diagonal_)
+      return {diagonal_->neighbour(cell, axis, false).value_or(cell),
+              diagonal_->neighbour(cell, axis, true).value_or(cell)};
+    const auto a = static_cast<std::size_t>(axis);
+    const std::uint32_t last = cells_[a] - 1, across = periodic_[a] ? last * stride_[a] : 0;
+    return {place > 0 ? cell - stride_[a] : cell + across, place < last ? cell + stride_[a] : cell - across};
+  }
+
   std::uint32_t coordinate(std::uint32_t cell, std::size_t axis) const {
     return cell / stride_[axis] % cells_[axis];
   }
   /// The pair across the edge of an odd periodic axis has a colour of its own.
-  int colour_of(std::uint32_t place, int axis) const {
-    if (colours(axis) == 3 && place + 1 == cells_[static_cast<std::size_t>(axis)]) return 2;
-    return static_cast<int>(place % 2);
+  int colour_of(std::uint32_t cell, int axis) const {
+    if (diagonal_) return static_cast<int>(diagonal_->parity(cell));
+    const auto a = static_cast<std::size_t>(axis);
+    const std::uint32_t place = coordinate(cell, a);
+    return colours(axis) == 3 && place + 1 == cells_[a] ? 2 : static_cast<int>(place % 2);
+  }
+  /// Unit vector up an axis.
+  Vector<D> direction(int axis) const {
+    if constexpr (D == 2)
+      if (diagonal_) return diagonal_->direction(axis);
+    return Vector<D>::Unit(axis);
   }
 
+  std::optional<DiagonalCells> diagonal_;
   std::array<bool, D> periodic_;
   std::array<std::uint32_t, D> cells_, stride_;
   std::uint32_t size_;
+  bool alternate_ = true;
 };
 
 }  // namespace sandglass

@@ -67,6 +67,21 @@ TEST(Neighbours, CheckerboardHasEveryPairOnce) {
   }
 }
 
+TEST(Neighbours, AlternateWhereNoneHasTheSameColour) {
+  for (std::uint32_t cells = 1; cells < 7; ++cells)
+    for (const bool around : {false, true}) {
+      const Grid<2> rectangle(Vector<2>(1, 1), {4, cells});
+      const Neighbours<2> neighbours(rectangle, {true, around});
+      int alike = 0;
+      for (std::uint32_t cell = 0; cell < rectangle.size(); ++cell)
+        neighbours.for_each_neighbour(cell, [&](std::uint32_t other, const Vector<2>&) {
+          for (const std::uint64_t turn : {0, 1, 2, 3})
+            alike += neighbours.colour(cell, turn) == neighbours.colour(other, turn);
+        });
+      EXPECT_EQ(neighbours.alternate(), alike == 0) << cells << " cells";
+    }
+}
+
 TEST(Neighbours, ASingleCellHasNoPair) {
   const Neighbours<2> neighbours(Grid<2>(Vector<2>(1, 1), {1, 1}), {true, false});
   EXPECT_EQ(neighbours.neighbour(0, 0, true), 0u);

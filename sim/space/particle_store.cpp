@@ -25,8 +25,8 @@ void require_room(std::size_t particles) {
 }  // namespace
 
 template <int D>
-ParticleStore<D>::ParticleStore(const Grid<D>& grid, const std::vector<ColumnInfo>& columns)
-    : grid_(grid), offset_(grid.size() + 2), arrival_(grid.size() + 2) {
+ParticleStore<D>::ParticleStore(const LatticeOfCells<D>& cells, const std::vector<ColumnInfo>& columns)
+    : cells_(cells), offset_(cells.size() + 2), arrival_(cells.size() + 2) {
   for (const ColumnInfo& info : columns) columns_.push_back(make_stored_column(info));
 }
 
@@ -55,11 +55,27 @@ void ParticleStore<D>::stay(std::span<const std::uint32_t> leaving) {
   std::vector<bool> leaves(size());
   for (const std::uint32_t place : leaving) leaves.at(place) = true;
   begin_step();
-  for (std::uint32_t cell = 0; cell < grid_.size(); ++cell)
+  for (std::uint32_t cell = 0; cell < cells_.size(); ++cell)
     for (std::uint32_t i = offset_[cell]; i < offset_[cell + 1]; ++i) {
       const std::uint32_t arrives = leaves[i] ? removed() : cell;
       place_[i] = {arrives, arrivals()[arrives]++};
     }
+}
+
+template <int D>
+void ParticleStore<D>::find_cells() {
+  begin_step();
+  for (std::size_t i = 0; i < size(); ++i)
+    if (place_[i].cell == removed())
+      place_[i].rank = arrivals()[removed()]++;
+    else
+      place_in_cell(i);
+}
+
+template <int D>
+void ParticleStore<D>::place_in_cell(std::size_t i) {
+  const std::uint32_t cell = cells_.cell_of(phase_[i].position);
+  place_[i] = {cell, arrivals()[cell]++};
 }
 
 template <int D>
@@ -77,10 +93,7 @@ void ParticleStore<D>::append(const Particles<D>& particles) {
   std::copy(particles.phases.begin(), particles.phases.end(),
             phase_.begin() + static_cast<std::ptrdiff_t>(first));
   for (const auto& column : columns_) fill(*column, first, particles);
-  for (std::size_t i = first; i < size(); ++i) {
-    const std::uint32_t cell = grid_.cell_of(phase_[i].position);
-    place_[i] = {cell, arrivals()[cell]++};
-  }
+  for (std::size_t i = first; i < size(); ++i) place_in_cell(i);
 }
 
 template <int D>
@@ -125,7 +138,7 @@ template <int D>
 std::size_t ParticleStore<D>::bytes() const {
   std::size_t bytes = (phase_.capacity() + next_phase_.capacity()) * sizeof(Phase<D>) +
                       place_.capacity() * sizeof(Place) +
-                      (offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t);
+                      (offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t) + cells_.bytes();
   for (const auto& column : columns_) bytes += column->bytes();
   return bytes;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/space/grid.hpp"
+#include "sim/space/lattice_of_cells.hpp"
 #include "sim/space/particles.hpp"
 #include "sim/space/stored_column.hpp"
 
@@ -17,9 +17,12 @@ namespace sandglass {
 template <int D>
 class ParticleStore {
  public:
-  explicit ParticleStore(const Grid<D>& grid, const std::vector<ColumnInfo>& columns = {});
+  explicit ParticleStore(const LatticeOfCells<D>& cells, const std::vector<ColumnInfo>& columns = {});
 
-  const Grid<D>& grid() const { return grid_; }
+  const LatticeOfCells<D>& cells() const { return cells_; }
+  const Grid<D>& grid() const { return cells_.grid(); }
+  /// Displaces the cells, see ShiftedCells; the particles are then to be counted into them and sorted.
+  void shift_cells(const Vector<D>& part) { cells_.shift(part); }
   std::size_t size() const { return phase_.size(); }
 
   std::span<Phase<D>> phases() { return phase_; }
@@ -44,9 +47,11 @@ class ParticleStore {
   Place* places() { return place_.data(); }
   std::uint32_t* arrivals() { return arrival_.data() + 1; }
   /// A particle that arrives in this cell, which is none, is dropped by the sort.
-  std::uint32_t removed() const { return grid_.size(); }
+  std::uint32_t removed() const { return cells_.size(); }
   /// Instead of a motion: all particles keep their cells, but those at the places `leaving` are dropped by the sort.
   void stay(std::span<const std::uint32_t> leaving = {});
+  /// After the motion, where the cells have been displaced since: all but the removed are in those where they stand.
+  void find_cells();
   /// Takes particles in at the coming sort, behind those that arrive in their cells, with new ids. Throws InputError when a
   /// column has another length than the phases.
   void insert(const Particles<D>& particles);
@@ -67,10 +72,11 @@ class ParticleStore {
  private:
   void resize(std::size_t particles);
   void append(const Particles<D>& particles);
+  void place_in_cell(std::size_t i);
   void fill(StoredColumn& column, std::size_t first, const Particles<D>& particles);
   void fill_ids(StoredColumn& column, std::size_t first, std::size_t count);
 
-  Grid<D> grid_;
+  LatticeOfCells<D> cells_;
   Column<Phase<D>> phase_, next_phase_;
   std::vector<std::unique_ptr<StoredColumn>> columns_;
   Column<Place> place_;

@@ -140,6 +140,23 @@ TEST(ParticleStoreNumber, AMotionMayDropParticles) {
   expect_offsets(store);
 }
 
+/// The cells are displaced between the motion, which drops some, and the sort.
+TEST(ParticleStoreNumber, WhoIsRemovedIsNotFoundAgain) {
+  auto cells = LatticeOfCells<2>::shifted(grid(), {false, true});
+  ParticleStore<2> store(cells);
+  store.assign(particles_of(rows(0, 200), false));
+  store.stay(std::vector<std::uint32_t>{3, 77});
+  cells.shift({0.4, -0.3});
+  store.shift_cells({0.4, -0.3});
+  store.find_cells();
+  EXPECT_EQ(store.arrivals()[store.removed()], 2u);
+  store.sort();
+  EXPECT_EQ(store.size(), 198u);
+  for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
+    for (std::uint32_t i = store.offsets()[cell]; i < store.offsets()[cell + 1]; ++i)
+      ASSERT_EQ(cells.cell_of(store.phases()[i].position), cell);
+}
+
 TEST(ParticleStoreNumber, TheOrderOfTheRequestsDoesNotShow) {
   const std::vector<std::uint32_t> leaving{3, 77, 12, 3, 199};
   const auto came = particles_of(rows(500, 40), false);

@@ -6,21 +6,36 @@
 namespace sandglass {
 
 template <int D, class Real>
-WindowSum<D, Real>::WindowSum(const Grid<D>& grid, const std::array<bool, D>& periodic,
+WindowSum<D, Real>::WindowSum(const LatticeOfCells<D>& cells, const std::array<bool, D>& periodic,
                               double particles_per_cell, double wanted)
-    : grid_(grid), periodic_(periodic), sum_(grid.size()), scratch_(grid.size()) {
+    : grid_(cells.points()), periodic_(periodic), sum_(cells.size()), scratch_(grid_.size()) {
+  if (cells.diagonal_cells()) {
+    spread_.resize(grid_.size());
+    for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
+      point_.push_back(cells.diagonal_cells()->point(cell));
+    particles_per_cell *= static_cast<double>(cells.size()) / grid_.size();  // now: per point
+  }
   std::uint32_t longest = 1;
-  for (int axis = 0; axis < D; ++axis) longest = std::max(longest, grid.cells(axis));
+  for (int axis = 0; axis < D; ++axis) longest = std::max(longest, grid_.cells(axis));
   const auto held = [&](int half) {
-    double cells = 1;
-    for (int axis = 0; axis < D; ++axis) cells *= std::min<double>(2.0 * half + 1, grid.cells(axis));
-    return cells * particles_per_cell;
+    double held_cells = 1;
+    for (int axis = 0; axis < D; ++axis) held_cells *= std::min<double>(2.0 * half + 1, grid_.cells(axis));
+    return held_cells * particles_per_cell;
   };
   while (held(half_width_) < wanted && static_cast<std::uint32_t>(2 * half_width_ + 1) < longest)
     ++half_width_;
 
   std::fill(sum_.begin(), sum_.end(), Real{1});
-  for (int axis = 0; axis < D; ++axis) sum_along(axis);
+  sum();
+  extent_ = sum_;
+  set_volumes(cells.volumes());
+}
+
+template <int D, class Real>
+void WindowSum<D, Real>::set_volumes(std::span<const double> volumes) {
+  if (volumes.empty()) return;
+  for (std::size_t cell = 0; cell < sum_.size(); ++cell) sum_[cell] = static_cast<Real>(volumes[cell]);
+  sum();
   extent_ = sum_;
 }
 
@@ -34,19 +49,28 @@ void WindowSum<D, Real>::update(std::span<const std::uint32_t> offsets) {
 template <int D, class Real>
 void WindowSum<D, Real>::sum() {
   if (half_width_ == 0) return;
-  for (int axis = 0; axis < D; ++axis) sum_along(axis);
+  if (point_.empty()) return sum_box(sum_);
+  std::fill(spread_.begin(), spread_.end(), Real{0});
+  for (std::size_t cell = 0; cell < point_.size(); ++cell) spread_[point_[cell]] = sum_[cell];
+  sum_box(spread_);
+  for (std::size_t cell = 0; cell < point_.size(); ++cell) sum_[cell] = spread_[point_[cell]];
 }
 
 template <int D, class Real>
-void WindowSum<D, Real>::sum_along(int axis) {
+void WindowSum<D, Real>::sum_box(std::vector<Real>& numbers) {
+  for (int axis = 0; axis < D; ++axis) sum_along(axis, numbers);
+}
+
+template <int D, class Real>
+void WindowSum<D, Real>::sum_along(int axis, std::vector<Real>& numbers) {
   std::size_t stride = 1;
   for (int lower = 0; lower < axis; ++lower) stride *= grid_.cells(lower);
   const std::size_t count = grid_.cells(axis), slab = stride * count;
-  for (std::size_t base = 0; base < sum_.size(); base += slab)
+  for (std::size_t base = 0; base < numbers.size(); base += slab)
     for (std::size_t lane = 0; lane < stride; ++lane)
-      sum_line(&sum_[base + lane], &scratch_[base + lane], count, stride,
+      sum_line(&numbers[base + lane], &scratch_[base + lane], count, stride,
                periodic_[static_cast<std::size_t>(axis)]);
-  sum_.swap(scratch_);
+  numbers.swap(scratch_);
 }
 
 template <int D, class Real>

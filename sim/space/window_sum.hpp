@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/space/grid.hpp"
+#include "sim/space/lattice_of_cells.hpp"
 
 #include <array>
 #include <cstdint>
@@ -10,13 +10,13 @@
 namespace sandglass {
 
 /// Sums of a number per cell over a window of cells around each cell: 2 h + 1 cells per axis, wrapped on periodic axes
-/// and cut off at walls. Whole axes shorter than the window are summed once. Sums run along a line and are exact for
+/// and cut off at walls; of diagonal cells, those with their middles in 2 h + 1 half diagonals per axis. Whole axes shorter than the window are summed once. Sums run along a line and are exact for
 /// whole numbers: below 2^24 in float, which suits counts of particles, below 2^53 in double.
 template <int D, class Real = float>
 class WindowSum {
  public:
   /// The smallest window that holds at least `wanted` particles on average, or the whole box.
-  WindowSum(const Grid<D>& grid, const std::array<bool, D>& periodic, double particles_per_cell,
+  WindowSum(const LatticeOfCells<D>& cells, const std::array<bool, D>& periodic, double particles_per_cell,
             double wanted);
 
   /// Number of each cell, to be written; after sum() the sum over the window of each cell.
@@ -26,21 +26,27 @@ class WindowSum {
   void update(std::span<const std::uint32_t> offsets);
 
   double sum(std::uint32_t cell) const { return static_cast<double>(sum_[cell]); }
+  /// Relative volumes of the cells, where they differ or have changed: cells() counts them.
+  void set_volumes(std::span<const double> volumes);
   /// Cells in the window of a cell.
   double cells(std::uint32_t cell) const { return static_cast<double>(extent_[cell]); }
   int half_width() const { return half_width_; }
   std::size_t bytes() const {
-    return (sum_.capacity() + scratch_.capacity() + extent_.capacity()) * sizeof(Real);
+    return (sum_.capacity() + scratch_.capacity() + extent_.capacity() + spread_.capacity()) * sizeof(Real) +
+           point_.capacity() * sizeof(std::uint32_t);
   }
 
  private:
-  void sum_along(int axis);
+  void sum_box(std::vector<Real>& numbers);
+  void sum_along(int axis, std::vector<Real>& numbers);
   void sum_line(const Real* line, Real* out, std::size_t count, std::size_t stride, bool periodic) const;
 
-  Grid<D> grid_;
+  Grid<D> grid_;  ///< cells; of diagonal ones the points among which their middles are
   std::array<bool, D> periodic_;
   int half_width_ = 0;
   std::vector<Real> sum_, scratch_, extent_;
+  std::vector<std::uint32_t> point_;  ///< of each diagonal cell
+  std::vector<Real> spread_;          ///< by point
 };
 
 extern template class WindowSum<2>;

@@ -1,6 +1,7 @@
 #include "sim/space/window_sum.hpp"
 
 #include "sim/base/random.hpp"
+#include "sim/space/test_lattice.hpp"
 
 #include <cmath>
 #include <vector>
@@ -84,6 +85,43 @@ TEST(WindowSum, AgreesWithItsTwinIn3D) {
         expect_twin<3>({7, 6, 5}, {x, true, z}, wanted);
         expect_twin<3>({1, 3, 11}, {x, false, z}, wanted);
       }
+}
+
+/// Diagonal cells: those with their middles in the window count, and cells at walls by their part.
+TEST(WindowSum, OfDiagonalCellsTakesMiddlesInTheWindow) {
+  for_each_diagonal([](const LatticeOfCells<2>& lattice) {
+    const std::vector<Vector<2>> middles = middles_of_diagonal(lattice);
+    std::vector<std::uint32_t> offsets{0};
+    for (std::uint32_t cell = 0; cell < lattice.size(); ++cell) offsets.push_back(offsets.back() + cell % 4);
+    for (const double wanted : {0.0, 6.0, 20.0, 1e9}) {
+      WindowSum<2> window(lattice, periodic_axes(lattice), 1.5, wanted);
+      for (int repeat = 0; repeat < 2; ++repeat) window.update(offsets);
+      for (std::uint32_t cell = 0; cell < lattice.size(); ++cell) {
+        Twin twin;
+        for (std::uint32_t other = 0; other < lattice.size(); ++other) {
+          const Vector<2> way = half_diagonals(lattice, middles[other] - middles[cell]).cwiseAbs();
+          if (way.maxCoeff() > window.half_width() + 1e-9) continue;
+          twin.sum += other % 4;
+          twin.cells += lattice.volumes().empty() ? 1 : lattice.volumes()[other];
+        }
+        ASSERT_EQ(window.sum(cell), twin.sum) << "cell " << cell << " half width " << window.half_width();
+        ASSERT_EQ(window.cells(cell), twin.cells) << "cell " << cell << " half width " << window.half_width();
+      }
+    }
+  });
+}
+
+/// Float sums of volumes that are no whole numbers: to their rounding.
+TEST(WindowSum, FollowsTheVolumesOfShiftedCells) {
+  auto lattice = LatticeOfCells<2>::shifted(Grid<2>(Vector<2>(1, 1), {9, 12}), {false, true});
+  WindowSum<2> window(lattice, {false, true}, 1, 9);
+  ASSERT_EQ(window.half_width(), 1);
+  EXPECT_EQ(window.cells(0), 6);
+  lattice.shift({0.3, 0.4});
+  window.set_volumes(lattice.volumes());
+  EXPECT_NEAR(window.cells(0), 3 * (1.3 + 1), 1e-5);
+  EXPECT_NEAR(window.cells(4), 9, 1e-5);
+  EXPECT_NEAR(window.cells(8), 3 * (1 + 0.7), 1e-5);
 }
 
 TEST(WindowSum, IsTheSmallestThatHoldsEnough) {

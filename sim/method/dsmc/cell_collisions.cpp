@@ -80,13 +80,14 @@ void move_on(std::span<Phase<D>> particles, const Vector<D>& mean, const Vector<
 }  // namespace
 
 template <int D>
-CellCollisions<D>::CellCollisions(const Parameters& parameters, const Grid<D>& grid, const FullCells<D>& full)
+CellCollisions<D>::CellCollisions(const Parameters& parameters, const LatticeOfCells<D>& cells,
+                                  const FullCells<D>& full)
     : full_(full),
       mass_(parameters.mass),
       restitution_(parameters.restitution),
       heat_share_(parameters.faults.heat_share),
       swap_(parameters.faults.colours_fixed ? 0 : 1),
-      choice_(grid.size()) {}
+      choice_(cells.size()) {}
 
 template <int D>
 void CellCollisions<D>::apply(const CellStep<D>& step) {
@@ -110,10 +111,11 @@ template <int D>
 void CellCollisions<D>::choose(const CellStep<D>& step, std::uint32_t cell) {
   const auto offsets = step.store.offsets();
   const Vector<D>& velocity = step.fields.velocity[cell];
+  const bool ask = !step.neighbours.alternate();
   Choice best{0, cell};
   std::uint32_t to = cell;
   step.neighbours.for_each_neighbour(cell, [&](std::uint32_t neighbour, const Vector<D>& direction) {
-    if (offsets[neighbour] == offsets[neighbour + 1] || active(step, neighbour)) return;
+    if (offsets[neighbour] == offsets[neighbour + 1] || (ask && active(step, neighbour))) return;
     const double approach = (velocity - step.fields.velocity[neighbour]).dot(direction);
     if (approach > best.approach) best.approach = approach, to = neighbour;
   });

@@ -23,7 +23,7 @@ struct CellCollisionCount {
 template <int D>
 class CellCollisions final : public CellStage<D> {
  public:
-  CellCollisions(const Parameters& parameters, const Grid<D>& grid, const FullCells<D>& full);
+  CellCollisions(const Parameters& parameters, const LatticeOfCells<D>& cells, const FullCells<D>& full);
 
   CellNeeds needs() const override { return {.velocity = full_.any()}; }
   void apply(const CellStep<D>& step) override;

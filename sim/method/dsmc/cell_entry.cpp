@@ -5,36 +5,41 @@
 namespace sandglass::dsmc {
 
 template <int D>
-CellEntry<D>::CellEntry(const Parameters& parameters, const Grid<D>& grid, const FullCells<D>& full)
+CellEntry<D>::CellEntry(const Parameters& parameters, const LatticeOfCells<D>& cells,
+                        const FullCells<D>& full)
     : full_(full),
       entry_(parameters.excluded_volume.entry),
       fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) /
-                             grid.cell_volume()) {}
+                             cells.grid().cell_volume()),
+      volumes_(cells.volumes()),
+      within_(cells.shifted_cells().has_value()) {}
 
 template <int D>
 motion::CellEntries CellEntry<D>::entries(std::span<const std::uint32_t> offsets, const StreamKey& key) {
   if (!entry_.empty()) look_up(offsets);
-  return {full_.flags(), probability_.empty() ? nullptr : probability_.data(), key};
+  return {full_.flags(), probability_.empty() ? nullptr : probability_.data(), key, within_};
 }
 
 template <int D>
 void CellEntry<D>::look_up(std::span<const std::uint32_t> offsets) {
   probability_.assign(offsets.size(), 1);  // the last: out of the box
-  for (std::uint32_t cell = 0; cell + 1 < offsets.size(); ++cell)
+  for (std::uint32_t cell = 0; cell + 1 < offsets.size(); ++cell) {
+    const double fraction = (offsets[cell + 1] - offsets[cell]) * fraction_per_particle_;
     probability_[cell] =
-        static_cast<float>(entry_.at((offsets[cell + 1] - offsets[cell]) * fraction_per_particle_));
+        static_cast<float>(entry_.at(volumes_.empty() ? fraction : fraction / volumes_[cell]));
+  }
 }
 
 template <int D>
 void CellEntry<D>::decide(const motion::Proposals<D>& moves) {
-  std::vector<std::uint32_t> held(moves.grid.size());
+  std::vector<std::uint32_t> held(moves.cells.size());
   for (std::uint32_t cell = 0; cell < held.size(); ++cell)
     held[cell] = moves.offsets[cell + 1] - moves.offsets[cell];
   for (std::uint32_t cell = 0; cell < held.size(); ++cell)
     for (std::uint32_t i = moves.offsets[cell]; i < moves.offsets[cell + 1]; ++i) {
       const std::uint32_t target = moves.targets[i];
-      if (target == cell || target == moves.grid.size()) continue;
-      moves.refused[i] = held[target] >= full_.capacity();
+      if (target == cell || target == moves.cells.size()) continue;
+      moves.refused[i] = held[target] >= full_.capacity(target);
       if (moves.refused[i]) {
         ++refused_;
       } else {

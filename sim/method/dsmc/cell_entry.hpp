@@ -8,10 +8,15 @@ namespace sandglass::dsmc {
 
 /// Refuses moves into full cells, and into others with the probability that the table of entry leaves. The room of a cell
 /// is that of the start of the step, however many enter (Mueller 2001, 4.2.1).
+///
+/// Within a full cell particles move, as its edges hold them. Edges that are elsewhere in every step hold nobody: most
+/// moves would cross none, and a column at rest would fall through them. Where cells are displaced, moves that end in a
+/// full cell are therefore refused from wherever they come.
 template <int D>
 class CellEntry final : public motion::EntryRule<D> {
  public:
-  CellEntry(const Parameters& parameters, const Grid<D>& grid, const FullCells<D>& full);
+  /// Goes on to read the volumes of `cells`, which may change.
+  CellEntry(const Parameters& parameters, const LatticeOfCells<D>& cells, const FullCells<D>& full);
 
   /// For the flight in one pass; the probabilities are those of particles that stand as `offsets` says.
   /// `key` names their draws.
@@ -28,9 +33,11 @@ class CellEntry final : public motion::EntryRule<D> {
 
   const FullCells<D>& full_;
   Curve entry_;
-  double fraction_per_particle_;
-  std::vector<float> probability_;  ///< to enter each cell; empty where it is one
-  std::uint64_t refused_ = 0;       ///< moves since time zero
+  double fraction_per_particle_;     ///< in a whole cell
+  std::span<const double> volumes_;  ///< as of LatticeOfCells
+  bool within_;                      ///< moves within a full cell are refused too
+  std::vector<float> probability_;   ///< to enter each cell; empty where it is one
+  std::uint64_t refused_ = 0;        ///< moves since time zero
 };
 
 extern template class CellEntry<2>;

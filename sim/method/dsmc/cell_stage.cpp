@@ -4,7 +4,8 @@ namespace sandglass::dsmc {
 
 template <int D>
 void CellFields<D>::update(const CellNeeds& needs, const ParticleStore<D>& store) {
-  const std::size_t cells = store.grid().size();
+  const std::size_t cells = store.cells().size();
+  const std::span<const double> volumes = store.cells().volumes();
   density.resize(needs.density ? cells : 0);
   velocity.resize(needs.velocity ? cells : 0);
   energy.resize(needs.energy ? cells : 0);
@@ -19,7 +20,10 @@ void CellFields<D>::update(const CellNeeds& needs, const ParticleStore<D>& store
       momentum += particle.velocity;
       square += particle.velocity.squaredNorm();
     }
-    if (needs.density) density[cell] = count / store.grid().cell_volume();
+    if (needs.density) {
+      density[cell] = count / store.grid().cell_volume();
+      if (!volumes.empty()) density[cell] /= volumes[cell];
+    }
     if (needs.velocity) velocity[cell] = momentum / std::max(count, 1.0);
     if (needs.energy) energy[cell] = 0.5 * square;
   }

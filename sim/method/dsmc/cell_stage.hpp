@@ -50,7 +50,8 @@ class CellStage {
 template <int D>
 class CellStages {
  public:
-  CellStages(const Grid<D>& grid, const std::array<bool, D>& periodic) : neighbours_(grid, periodic) {}
+  CellStages(const LatticeOfCells<D>& cells, const std::array<bool, D>& periodic)
+      : neighbours_(cells, periodic) {}
 
   void add(std::unique_ptr<CellStage<D>> stage) { stages_.push_back(std::move(stage)); }
   /// `number` is that of the step.

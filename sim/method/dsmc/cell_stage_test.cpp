@@ -127,6 +127,15 @@ TEST(CellStage, FieldsAreThoseOfTheCells) {
   EXPECT_GT(dsmc.bytes(), bytes);
 }
 
+TEST(CellStage, DensityIsThatOfTheVolumeWithinWalls) {
+  const Grid<2> corners(Vector<2>(2, 2), {1, 1});
+  ParticleStore<2> store(LatticeOfCells<2>::diagonal(corners, {false, false}));
+  store.assign({{{Vector<2>(0.1, 0.1), Vector<2>::Zero()}, {Vector<2>(1, 1), Vector<2>::Zero()}}, {}});
+  CellFields<2> fields;
+  fields.update({.density = true}, store);
+  EXPECT_EQ(fields.density, (std::vector<double>{2, 0, 0.5, 0, 0}));
+}
+
 TEST(CellStage, CostsNoMemoryWhereThereIsNone) {
   Dsmc<2> dsmc = simulation<2>(nullptr);
   const std::size_t bytes = dsmc.bytes();

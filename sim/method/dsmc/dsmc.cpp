@@ -8,33 +8,54 @@ constexpr std::uint32_t kBlock = 512;
 }  // namespace
 
 template <int D>
-Dsmc<D>::Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::MotionParameters<D>& motion,
-              const Streams& streams, Purpose purpose, const std::vector<ColumnInfo>& columns)
-    : CellSimulator<D>(grid, {parameters.diameter, parameters.mass}, parameters.weight, motion, streams,
+Dsmc<D>::Dsmc(const LatticeOfCells<D>& cells, const Parameters& parameters,
+              const motion::MotionParameters<D>& motion, const Streams& streams, Purpose purpose,
+              const std::vector<ColumnInfo>& columns)
+    : CellSimulator<D>(cells, {parameters.diameter, parameters.mass}, parameters.weight, motion, streams,
                        columns),
       parameters_(parameters),
       purpose_(purpose),
       collisions_(parameters.faults.any() ? make_faulty_collision_stage<D>(parameters)
                                           : make_collision_stage<D>(parameters)),
-      stages_(grid, this->periodic()) {
+      stages_(cells, this->periodic()) {
   if (parameters.partners == Partners::contact)
-    contact_ = std::make_unique<ContactPartners<D>>(parameters, grid, this->periodic());
+    contact_ = std::make_unique<ContactPartners<D>>(parameters, cells.grid(), this->periodic());
   if (!parameters.excluded_volume.any()) return;
-  excluded_ = std::make_unique<ExcludedVolumeOfCells<D>>(parameters, motion, grid);
+  excluded_ = std::make_unique<ExcludedVolumeOfCells<D>>(parameters, motion, store_.cells());
   add(excluded_->take_stage());
 }
 
 template <int D>
 void Dsmc<D>::assign(const Particles<D>& particles) {
+  if (store_.cells().shifted_cells()) shift_cells(drawn_shift(0));
+  take_in(particles);
+}
+
+template <int D>
+void Dsmc<D>::take_in(const Particles<D>& particles) {
   CellSimulator<D>::assign(particles);
   make_factor(static_cast<double>(particles.phases.size()) + parameters_.poured);
 }
 
 template <int D>
+Vector<D> Dsmc<D>::drawn_shift(std::uint64_t step) const {
+  Random random({streams_.seed, Purpose::lattice, streams_.replica, step}, 0);
+  Vector<D> part;
+  for (int axis = 0; axis < D; ++axis) part[axis] = random.uniform() - 0.5;
+  return part;
+}
+
+template <int D>
+void Dsmc<D>::shift_cells(const Vector<D>& part) {
+  store_.shift_cells(part);
+  if (factor_) factor_->update_volumes();
+}
+
+template <int D>
 void Dsmc<D>::make_factor(double particles) {
   assigned_ = particles;
-  if (PairFactor<D>::needed(parameters_))
-    factor_.emplace(parameters_, store_.grid(), this->periodic(), particles);
+  if (PairFactor<D>::needed(parameters_, store_.cells()))
+    factor_.emplace(parameters_, store_.cells(), this->periodic(), particles);
 }
 
 template <int D>
@@ -53,7 +74,14 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
   } else {
     collide_and_move(motion, collisions);
   }
+  if (store_.cells().shifted_cells()) find_cells_of(step + 1);
   this->end_step(dt);
+}
+
+template <int D>
+void Dsmc<D>::find_cells_of(std::uint64_t next_step) {
+  shift_cells(drawn_shift(next_step));
+  store_.find_cells();
 }
 
 template <int D>
@@ -110,7 +138,7 @@ template <int D>
 void Dsmc<D>::collide_and_enter(const motion::MotionStep& motion, const CollisionStep<D>& collisions,
                                 const StreamKey& key) {
   if (excluded_->in_order()) {
-    collisions_->collide(collisions, 0, store_.grid().size());
+    collisions_->collide(collisions, 0, store_.cells().size());
     return excluded_->advance_in_order(store_, motion);
   }
   excluded_->begin_moves(store_.offsets(), key);
@@ -132,6 +160,8 @@ Memory Dsmc<D>::save() const {
   Memory memory = CellSimulator<D>::save();
   memory["dsmc/bound-raised"] = {static_cast<double>(bound_raised_)};
   memory["dsmc/window"] = {assigned_};
+  if (const auto& shifted = store_.cells().shifted_cells())
+    memory["dsmc/shift"] = {shifted->part().begin(), shifted->part().end()};
   if (excluded_) excluded_->save(memory);
   return memory;
 }
@@ -142,6 +172,15 @@ void Dsmc<D>::load(const Memory& memory) {
   bound_raised_ = static_cast<std::uint64_t>(memory.at("dsmc/bound-raised").at(0));
   if (excluded_) excluded_->load(memory);
   if (memory.at("dsmc/window").at(0) != assigned_) make_factor(memory.at("dsmc/window").at(0));
+}
+
+/// The particles stand in the order of the cells of the coming step.
+template <int D>
+void Dsmc<D>::restore(const Particles<D>& particles, const Memory& memory) {
+  if (store_.cells().shifted_cells())
+    shift_cells(Eigen::Map<const Vector<D>>(memory.at("dsmc/shift").data()));
+  take_in(particles);
+  load(memory);
 }
 
 template <int D>

@@ -15,13 +15,14 @@ namespace sandglass::dsmc {
 /// Direct simulation Monte Carlo and its dense-gas variants in D dimensions. A step works on whole cells where a
 /// stage asks for it, collides the particles of each cell (with partners at contact: of neighbouring ones too), moves them,
 /// and sorts them into the cells where they arrive. With an excluded volume of cells, moves into full ones are refused.
+/// Where cells are displaced from step to step, the particles stand between two steps in the cells of the coming one.
 template <int D>
 class Dsmc final : public CellSimulator<D> {
  public:
   /// `purpose` names the streams of the collisions; of `columns` (docs/particle-columns.md) only those exist that are named.
-  Dsmc(const Grid<D>& grid, const Parameters& parameters, const motion::MotionParameters<D>& motion,
-       const Streams& streams, Purpose purpose = Purpose::collisions,
-       const std::vector<ColumnInfo>& columns = {});
+  Dsmc(const LatticeOfCells<D>& cells, const Parameters& parameters,
+       const motion::MotionParameters<D>& motion, const Streams& streams,
+       Purpose purpose = Purpose::collisions, const std::vector<ColumnInfo>& columns = {});
 
   /// A stage on whole cells at the start of every step, after those added before.
   void add(std::unique_ptr<CellStage<D>> stage) { stages_.add(std::move(stage)); }
@@ -31,12 +32,18 @@ class Dsmc final : public CellSimulator<D> {
   std::map<std::string, double> counters() const override;
   Memory save() const override;
   void load(const Memory& memory) override;
+  void restore(const Particles<D>& particles, const Memory& memory) override;
   std::size_t bytes() const override;
 
  private:
   using CellSimulator<D>::streams_, CellSimulator<D>::store_, CellSimulator<D>::tally_;
 
+  void take_in(const Particles<D>& particles);
   void make_factor(double particles);
+  Vector<D> drawn_shift(std::uint64_t step) const;
+  void shift_cells(const Vector<D>& part);
+  /// Displaces the cells; the particles arrive in those of the next step.
+  void find_cells_of(std::uint64_t next_step);
   double impact_coefficient() const;
   CollisionStep<D> collision_step(double dt, const StreamKey& key);
   void move(const motion::MotionStep& motion);

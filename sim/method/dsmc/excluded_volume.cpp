@@ -5,14 +5,14 @@ namespace sandglass::dsmc {
 template <int D>
 ExcludedVolumeOfCells<D>::ExcludedVolumeOfCells(const Parameters& parameters,
                                                 const motion::MotionParameters<D>& motion,
-                                                const Grid<D>& grid)
-    : full_(parameters, grid),
-      stage_(std::make_unique<CellCollisions<D>>(parameters, grid, full_)),
+                                                const LatticeOfCells<D>& cells)
+    : full_(parameters, cells),
+      stage_(std::make_unique<CellCollisions<D>>(parameters, cells, full_)),
       collisions_(stage_.get()),
-      entry_(parameters, grid, full_),
-      motion_(motion::make_entry_stage<D>(motion, grid.box())),
+      entry_(parameters, cells, full_),
+      motion_(motion::make_entry_stage<D>(motion, cells.grid().box())),
       in_order_(parameters.faults.room_updated
-                    ? std::make_unique<motion::RefusableMotion<D>>(motion, grid.box())
+                    ? std::make_unique<motion::RefusableMotion<D>>(motion, cells.grid().box())
                     : nullptr),
       everywhere_(parameters.excluded_volume.offset_in_full_cells),
       certain_entry_(parameters.excluded_volume.entry.empty()) {}

@@ -14,8 +14,9 @@ namespace sandglass::dsmc {
 template <int D>
 class ExcludedVolumeOfCells {
  public:
+  /// Goes on to read the volumes of `cells`, which may change.
   ExcludedVolumeOfCells(const Parameters& parameters, const motion::MotionParameters<D>& motion,
-                        const Grid<D>& grid);
+                        const LatticeOfCells<D>& cells);
 
   /// The stage that lets full cells collide; to be asked for once.
   std::unique_ptr<CellStage<D>> take_stage() { return std::move(stage_); }

@@ -7,14 +7,20 @@
 
 namespace sandglass::dsmc {
 
+namespace {
+/// Below what one pair counts, whatever the volume of its cell; sums that are not of whole numbers leave a rest.
+constexpr double kOnePair = 0.5;
+}  // namespace
+
 template <int D>
-ExpectedPairs<D>::ExpectedPairs(const Parameters& parameters, const Grid<D>& grid,
+ExpectedPairs<D>::ExpectedPairs(const Parameters& parameters, const LatticeOfCells<D>& cells,
                                 const std::array<bool, D>& periodic, double particles)
     : faults_(parameters.faults),
-      path_of_one_(grid.cell_volume() /
+      path_of_one_(cells.grid().cell_volume() /
                    (M_SQRT2 * parameters.weight * parameters.cross_section * parameters.offset.length())),
-      particles_(grid, periodic, particles / grid.size(), kLargeWindow),
-      pairs_(grid, periodic, particles / grid.size(), kLargeWindow) {}
+      volumes_(cells.volumes()),
+      particles_(cells, periodic, particles / cells.grid().size(), kLargeWindow),
+      pairs_(cells, periodic, particles / cells.grid().size(), kLargeWindow) {}
 
 template <int D>
 void ExpectedPairs<D>::update(std::span<const std::uint32_t> offsets) {
@@ -23,6 +29,7 @@ void ExpectedPairs<D>::update(std::span<const std::uint32_t> offsets) {
   for (std::size_t cell = 0; cell < pairs.size(); ++cell) {
     const double count = offsets[cell + 1] - offsets[cell];
     pairs[cell] = count * (count - 1);
+    if (!volumes_.empty()) pairs[cell] /= volumes_[cell];
   }
   pairs_.sum();
 }
@@ -30,7 +37,7 @@ void ExpectedPairs<D>::update(std::span<const std::uint32_t> offsets) {
 template <int D>
 double ExpectedPairs<D>::factor(std::uint32_t cell, double contact) const {
   const double pairs = pairs_.sum(cell), per_cell = particles_.sum(cell) / particles_.cells(cell);
-  if (pairs <= 0) return 1;
+  if (pairs < kOnePair) return 1;
   const double expected = faults_.expected_pairs * per_cell * (particles_.sum(cell) - 1);
   const double weight =
       faults_.speeds_forgotten ? 1 : weight_of_missing_pairs(path_of_one_ / (per_cell * contact));

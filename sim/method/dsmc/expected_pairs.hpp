@@ -21,13 +21,17 @@ inline double weight_of_missing_pairs(double path) {
 /// In a window of M cells that together hold N particles, chance would put N (N - 1)/M ordered pairs into its cells. This
 /// number over the pairs counted there is the factor, but for the speed of the missing pairs. Given N, chance makes all
 /// cells of a window alike, so that the mean of pairs times factor is N (N - 1)/M^2 exactly, however few particles a cell
-/// holds: cells with fewer than two have no pair, and the others of the window make up for them.
+/// holds: cells with fewer than two have no pair, and the others of the window make up for them. Where cells differ, the
+/// pairs of each are divided by its volume, and M is the volume of the window.
 template <int D>
 class ExpectedPairs {
  public:
-  ExpectedPairs(const Parameters& parameters, const Grid<D>& grid, const std::array<bool, D>& periodic,
-                double particles);
+  /// Goes on to read the volumes of `cells`, which may change.
+  ExpectedPairs(const Parameters& parameters, const LatticeOfCells<D>& cells,
+                const std::array<bool, D>& periodic, double particles);
 
+  /// As WindowSum::set_volumes.
+  void set_volumes(std::span<const double> volumes) { particles_.set_volumes(volumes); }
   /// `offsets` as of ParticleStore.
   void update(std::span<const std::uint32_t> offsets);
   /// `contact` is the contact factor of the cell, one without.
@@ -36,7 +40,8 @@ class ExpectedPairs {
 
  private:
   Faults faults_;
-  double path_of_one_;  ///< mean free path, in offsets, where a cell holds one particle
+  double path_of_one_;               ///< mean free path, in offsets, where a cell holds one particle
+  std::span<const double> volumes_;  ///< as of LatticeOfCells
   WindowSum<D> particles_;
   WindowSum<D, double> pairs_;
 };

@@ -24,7 +24,7 @@ class Builder final : public MethodBuilder<D> {
   explicit Builder(const BuildRequest& request)
       : scene_(request.scene),
         parameters_(parameters_of<D>(scene_)),
-        grid_(grid_of<D>(scene_, default_particles_per_cell(D, parameters_, density()))),
+        cells_(cells_of<D>(scene_, default_particles_per_cell(D, parameters_, density()))),
         motion_(motion_of<D>(with_boundary_fault(scene_, request.fault))) {
     plant(planted_faults(), request.fault, parameters_, D);
     if (parameters_.partners == Partners::contact && parameters_.faults.any())
@@ -43,11 +43,7 @@ class Builder final : public MethodBuilder<D> {
            mean_speed(D, std::sqrt(temperature / species.mass));
   }
 
-  double cell_edge() const override {
-    double edge = HUGE_VAL;
-    for (int axis = 0; axis < D; ++axis) edge = std::min(edge, 1 / grid_.cells_per_length(axis));
-    return edge;
-  }
+  double cell_edge() const override { return cells_.width(); }
 
   std::unique_ptr<Simulator<D>> build(const Streams& streams,
                                       const Attachments<D>& attachments) const override {
@@ -56,21 +52,21 @@ class Builder final : public MethodBuilder<D> {
     motion.impulses = attachments.impulses;
     std::vector<ColumnInfo> columns;
     if (scene_.output.ids) columns.push_back(column::id);
-    return std::make_unique<Dsmc<D>>(grid_, parameters_, motion, streams, Purpose::collisions, columns);
+    return std::make_unique<Dsmc<D>>(cells_, parameters_, motion, streams, Purpose::collisions, columns);
   }
 
   std::unique_ptr<Simulator<D>> build_elastic(const Streams& streams) const override {
     Parameters elastic = parameters_;
     elastic.restitution = 1;
     elastic.measure_transfer = false;
-    return std::make_unique<Dsmc<D>>(grid_, elastic, motion::conserving(motion_), streams,
+    return std::make_unique<Dsmc<D>>(cells_, elastic, motion::conserving(motion_), streams,
                                      Purpose::equilibration);
   }
 
   void plan(Plan& plan) const override {
-    plan.cells = grid_.size();
-    plan.particles_per_cell = static_cast<double>(plan.particles) / static_cast<double>(plan.cells);
-    plan.cell_size_in_mean_free_paths = std::pow(grid_.cell_volume(), 1.0 / D) / plan.mean_free_path;
+    plan.cells = cells_.size();
+    plan.particles_per_cell = static_cast<double>(plan.particles) / static_cast<double>(cells_.grid().size());
+    plan.cell_size_in_mean_free_paths = std::pow(cells_.grid().cell_volume(), 1.0 / D) / plan.mean_free_path;
     plan.columns = {"position", "velocity", "cell"};
     if (scene_.output.ids) plan.columns.push_back("id");
     plan.bytes_per_particle = bytes_per_particle(static_cast<double>(plan.particles));
@@ -81,6 +77,8 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("pairs expected by chance", parameters_.pair_count == PairCount::expected);
     plan.feature("partners a diameter away", parameters_.partners == Partners::contact);
     plan.feature("excluded volume of cells", parameters_.excluded_volume.any());
+    plan.feature("cells displaced at random", cells_.shifted_cells().has_value());
+    plan.feature("cells that stand on a corner", cells_.diagonal_cells().has_value());
     plan.feature("fitted impact parameters", parameters_.impact.fitted());
     plan.feature("walls with a rule", !motion_.walls.empty());
     plan.feature("particle identities", scene_.output.ids);
@@ -90,7 +88,7 @@ class Builder final : public MethodBuilder<D> {
   void record_choices(Scene& scene) const override {
     DsmcOptions& options = std::get<DsmcOptions>(scene.method.options);
     if (!options.cells.empty() || options.cell_size) return;
-    for (int axis = 0; axis < D; ++axis) options.cells.push_back(grid_.cells(axis));
+    for (int axis = 0; axis < D; ++axis) options.cells.push_back(cells_.cells(axis));
   }
 
  private:
@@ -102,10 +100,11 @@ class Builder final : public MethodBuilder<D> {
   double bytes_per_particle(double particles) const {
     const double per_cell = (parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8) +
                             (parameters_.pair_count == PairCount::expected ? 44 : 0) +
-                            (parameters_.partners == Partners::contact ? 4 + sizeof(VelocityBox<D>) : 0);
+                            (parameters_.partners == Partners::contact ? 4 + sizeof(VelocityBox<D>) : 0) +
+                            (cells_.volumes().empty() ? 0 : 8 + 8);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
            (parameters_.excluded_volume.any() ? 5 : 0) +
-           (per_cell + (parameters_.excluded_volume.any() ? 21 + 8 * D : 0)) * grid_.size() / particles;
+           (per_cell + (parameters_.excluded_volume.any() ? 21 + 8 * D : 0)) * cells_.size() / particles;
   }
 
   void warn(Plan& plan) const {
@@ -138,7 +137,7 @@ class Builder final : public MethodBuilder<D> {
 
   Scene scene_;
   Parameters parameters_;
-  Grid<D> grid_;
+  LatticeOfCells<D> cells_;
   motion::MotionParameters<D> motion_;
 };
 

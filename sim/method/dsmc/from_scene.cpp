@@ -44,11 +44,19 @@ ExcludedVolume excluded_volume_of(int dimension, const DsmcOptions& options) {
 }  // namespace
 
 template <int D>
-Grid<D> grid_of(const Scene& scene, double particles_per_cell) {
+LatticeOfCells<D> cells_of(const Scene& scene, double particles_per_cell) {
   const DsmcOptions& options = options_of(scene);
-  if (!options.cells.empty() || options.cell_size) return grid_of_cells<D>(scene, cells_along(scene));
-  return grid_of_cells<D>(
-      scene, cells_of_edge(scene, std::max(edge_for(scene, particles_per_cell), least_cell_edge(scene))));
+  const bool chosen = !options.cells.empty() || options.cell_size;
+  const Grid<D> grid = grid_of_cells<D>(
+      scene,
+      chosen ? cells_along(scene)
+             : cells_of_edge(scene, std::max(edge_for(scene, particles_per_cell), least_cell_edge(scene))));
+  std::array<bool, D> periodic;
+  for (std::size_t axis = 0; axis < D; ++axis) periodic[axis] = scene.domain.sides[axis][0] == Side::periodic;
+  if (options.lattice == CellLattice::shifted) return LatticeOfCells<D>::shifted(grid, periodic);
+  if constexpr (D == 2)
+    if (options.lattice == CellLattice::diagonal) return LatticeOfCells<D>::diagonal(grid, periodic);
+  return grid;
 }
 
 template <int D>
@@ -72,8 +80,8 @@ Parameters parameters_of(const Scene& scene) {
   return parameters;
 }
 
-template Grid<2> grid_of(const Scene&, double);
-template Grid<3> grid_of(const Scene&, double);
+template LatticeOfCells<2> cells_of(const Scene&, double);
+template LatticeOfCells<3> cells_of(const Scene&, double);
 template Parameters parameters_of<2>(const Scene&);
 template Parameters parameters_of<3>(const Scene&);
 

@@ -26,7 +26,7 @@ TEST(FromScene, CorrectedOffsetCarriesTheVirialOfHardCores) {
 }
 
 TEST(FromScene, ChoosesCellsWhereTheSceneDoesNot) {
-  const Grid<2> grid = grid_of<2>(box_of(2000), 10);
+  const Grid<2> grid = cells_of<2>(box_of(2000), 10).grid();
   EXPECT_EQ(grid.cells(0), 10u);
   EXPECT_EQ(grid.cells(1), 20u);
 }
@@ -34,7 +34,7 @@ TEST(FromScene, ChoosesCellsWhereTheSceneDoesNot) {
 TEST(FromScene, MoreCellsThanNumbersAreRefused) {
   Scene scene = box_of(30);
   std::get<DsmcOptions>(scene.method.options).cells = {100'000, 100'000};
-  EXPECT_THROW(grid_of<2>(scene, 10), InputError);
+  EXPECT_THROW(cells_of<2>(scene, 10), InputError);
 }
 
 }  // namespace

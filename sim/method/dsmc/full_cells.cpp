@@ -16,14 +16,18 @@ std::uint32_t most_in_cell(int dimension, const Parameters& parameters, double c
 }
 
 template <int D>
-FullCells<D>::FullCells(const Parameters& parameters, const Grid<D>& grid)
-    : capacity_(most_in_cell(D, parameters, grid.cell_volume())), full_(grid.size() + 1) {}
+FullCells<D>::FullCells(const Parameters& parameters, const LatticeOfCells<D>& cells)
+    : parameters_(parameters),
+      cell_volume_(cells.grid().cell_volume()),
+      whole_(most_in_cell(D, parameters, cell_volume_)),
+      volumes_(cells.volumes()),
+      full_(cells.size() + 1) {}
 
 template <int D>
 void FullCells<D>::update(std::span<const std::uint32_t> offsets) {
   any_ = false;
-  for (std::size_t cell = 0; cell + 1 < full_.size(); ++cell) {
-    full_[cell] = offsets[cell + 1] - offsets[cell] >= capacity_;
+  for (std::uint32_t cell = 0; cell + 1 < full_.size(); ++cell) {
+    full_[cell] = offsets[cell + 1] - offsets[cell] >= capacity(cell);
     any_ |= full_[cell] != 0;
   }
 }

@@ -10,7 +10,7 @@ namespace {
 TEST(FullCells, HaveNoRoomForOneMore) {
   const Parameters parameters = crowd_parameters<2>();
   FullCells<2> full(parameters, crowd_grid<2>(2));
-  EXPECT_EQ(full.capacity(), 10U);  // ten are 0.8 exactly, though 0.8 / 0.08 is not
+  EXPECT_EQ(full.capacity(0), 10U);  // ten are 0.8 exactly, though 0.8 / 0.08 is not
   const std::vector<std::uint32_t> offsets = {0, 9, 19, 30, 30};
   full.update(offsets);
   EXPECT_FALSE(full.full(0));
@@ -22,6 +22,21 @@ TEST(FullCells, HaveNoRoomForOneMore) {
   const std::vector<std::uint32_t> sparse = {0, 9, 18, 18, 18};
   full.update(sparse);
   EXPECT_FALSE(full.any());
+}
+
+/// A box around one square on a corner: a quarter cell in each of its corners.
+TEST(FullCells, AtWallsHoldByTheirVolume) {
+  const Parameters parameters = crowd_parameters<2>();
+  const auto cells =
+      LatticeOfCells<2>::diagonal(Grid<2>(Vector<2>(M_SQRT2, M_SQRT2), {1, 1}), {false, false});
+  FullCells<2> full(parameters, cells);
+  ASSERT_EQ(cells.size(), 5U);
+  for (const std::uint32_t corner : {0u, 1u, 3u, 4u}) EXPECT_EQ(full.capacity(corner), 2U);
+  EXPECT_EQ(full.capacity(2), 10U);
+  const std::vector<std::uint32_t> offsets = {0, 1, 3, 12, 15, 15};
+  full.update(offsets);
+  for (const std::uint32_t cell : {0u, 2u, 4u}) EXPECT_FALSE(full.full(cell));
+  for (const std::uint32_t cell : {1u, 3u}) EXPECT_TRUE(full.full(cell));
 }
 
 TEST(FullCells, CountRealParticles) {

@@ -6,15 +6,15 @@
 namespace sandglass::dsmc {
 
 template <int D>
-LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const Grid<D>& grid,
+LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const LatticeOfCells<D>& cells,
                                           const std::array<bool, D>& periodic, double particles)
     : formula_(parameters.factor.formula),
       smoothed_(parameters.factor.smoothed),
       fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) /
-                             grid.cell_volume()),
+                             cells.grid().cell_volume()),
       densest_(D == 2 ? M_PI / std::sqrt(12.0) : M_PI / std::sqrt(18.0)),
-      window_(grid, periodic, particles / grid.size(), smoothed_ ? window_particles(parameters) : 0),
-      factor_(grid.size()) {}
+      window_(cells, periodic, particles / cells.grid().size(), smoothed_ ? window_particles(parameters) : 0),
+      factor_(cells.size()) {}
 
 template <int D>
 double LocalContactFactor<D>::smoothed(std::uint32_t cell) const {

@@ -34,9 +34,11 @@ inline double window_particles(const Parameters& parameters) {
 template <int D>
 class LocalContactFactor {
  public:
-  LocalContactFactor(const Parameters& parameters, const Grid<D>& grid, const std::array<bool, D>& periodic,
-                     double particles);
+  LocalContactFactor(const Parameters& parameters, const LatticeOfCells<D>& cells,
+                     const std::array<bool, D>& periodic, double particles);
 
+  /// As WindowSum::set_volumes.
+  void set_volumes(std::span<const double> volumes) { window_.set_volumes(volumes); }
   /// `full`: per cell, not zero where it is full; null where none is.
   void update(std::span<const std::uint32_t> offsets, const std::uint8_t* full = nullptr);
   const double* values() const { return factor_.data(); }
@@ -48,7 +50,7 @@ class LocalContactFactor {
 
   ContactFormula formula_;
   bool smoothed_;
-  double fraction_per_particle_;  ///< area or volume fraction that one particle adds to one cell
+  double fraction_per_particle_;  ///< area or volume fraction that one particle adds to one whole cell
   double densest_;
   WindowSum<D> window_;
   std::vector<double> factor_;

@@ -27,7 +27,7 @@ Dsmc<2> gas() {
   parameters.diameter = 0.2;
   parameters.cross_section = 0.4;
   parameters.factor.formula = henderson;
-  return Dsmc<2>({Vector<2>(8, 8), {8, 8}}, parameters, {}, {}, Purpose::collisions,
+  return Dsmc<2>(Grid<2>(Vector<2>(8, 8), {8, 8}), parameters, {}, {}, Purpose::collisions,
                  {column::id, column::weight});
 }
 

@@ -3,22 +3,28 @@
 namespace sandglass::dsmc {
 
 template <int D>
-PairFactor<D>::PairFactor(const Parameters& parameters, const Grid<D>& grid,
-                          const std::array<bool, D>& periodic, double particles) {
-  if (parameters.factor.formula != nullptr) contact_.emplace(parameters, grid, periodic, particles);
-  if (parameters.pair_count == PairCount::counted) return;
-  expected_.emplace(parameters, grid, periodic, particles);
-  product_.resize(grid.size());
+PairFactor<D>::PairFactor(const Parameters& parameters, const LatticeOfCells<D>& cells,
+                          const std::array<bool, D>& periodic, double particles)
+    : volumes_(cells.volumes()) {
+  if (parameters.factor.formula != nullptr) contact_.emplace(parameters, cells, periodic, particles);
+  if (parameters.pair_count == PairCount::expected) expected_.emplace(parameters, cells, periodic, particles);
+  if (expected_ || !volumes_.empty()) product_.resize(cells.size());
+}
+
+template <int D>
+void PairFactor<D>::update_volumes() {
+  if (contact_) contact_->set_volumes(volumes_);
+  if (expected_) expected_->set_volumes(volumes_);
 }
 
 template <int D>
 void PairFactor<D>::update(std::span<const std::uint32_t> offsets, const std::uint8_t* full) {
   if (contact_) contact_->update(offsets, full);
-  if (!expected_) return;
-  expected_->update(offsets);
+  if (expected_) expected_->update(offsets);
   for (std::uint32_t cell = 0; cell < product_.size(); ++cell) {
     const double contact = contact_ ? contact_->values()[cell] : 1;
-    product_[cell] = contact * expected_->factor(cell, contact);
+    product_[cell] = expected_ ? contact * expected_->factor(cell, contact) : contact;
+    if (!volumes_.empty()) product_[cell] /= volumes_[cell];
   }
 }
 

@@ -7,25 +7,31 @@
 
 namespace sandglass::dsmc {
 
-/// What the pairs of each cell count more than in a dilute gas: contact factor, and pairs expected instead of counted.
+/// What the pairs of each cell count more than in a dilute gas in a whole cell: contact factor, pairs expected instead of
+/// counted, and a smaller volume.
 template <int D>
 class PairFactor {
  public:
-  static bool needed(const Parameters& parameters) {
-    return parameters.factor.formula != nullptr || parameters.pair_count == PairCount::expected;
+  static bool needed(const Parameters& parameters, const LatticeOfCells<D>& cells) {
+    return parameters.factor.formula != nullptr || parameters.pair_count == PairCount::expected ||
+           !cells.volumes().empty();
   }
-  PairFactor(const Parameters& parameters, const Grid<D>& grid, const std::array<bool, D>& periodic,
-             double particles);
+  /// Goes on to read the volumes of `cells`, which may change.
+  PairFactor(const Parameters& parameters, const LatticeOfCells<D>& cells,
+             const std::array<bool, D>& periodic, double particles);
 
+  /// The volumes have changed.
+  void update_volumes();
   /// `offsets` as of ParticleStore; `full` as of LocalContactFactor.
   void update(std::span<const std::uint32_t> offsets, const std::uint8_t* full = nullptr);
-  const double* values() const { return expected_ ? product_.data() : contact_->values(); }
+  const double* values() const { return product_.empty() ? contact_->values() : product_.data(); }
   std::size_t bytes() const;
 
  private:
   std::optional<LocalContactFactor<D>> contact_;
   std::optional<ExpectedPairs<D>> expected_;
-  std::vector<double> product_;  ///< only where pairs are expected
+  std::span<const double> volumes_;  ///< as of LatticeOfCells
+  std::vector<double> product_;      ///< empty where there is but a contact factor
 };
 
 extern template class PairFactor<2>;

@@ -33,12 +33,14 @@ const Capabilities& capabilities(const Scene& scene);
 /// Cells along each axis; empty where the method chooses them.
 std::vector<double> cells_along(const Scene& scene);
 /// The whole numbers of cells nearest to this edge, at least one along each axis, and none that makes cells narrower than
-/// least_cell_edge().
+/// least_cell_edge(). Cells that stand on a corner are counted from corner to corner.
 std::vector<double> cells_of_edge(const Scene& scene, double edge);
 /// Cells take in no more than the densest packing.
 bool has_full_cells(const Scene& scene);
 /// A diameter where partners are looked for that far away in the cells around; else 0.
 double least_cell_edge(const Scene& scene);
+/// Cells are squares that stand on a corner.
+bool has_diagonal_cells(const Scene& scene);
 /// Collisions push pairs apart that are then missing where pairs are counted: by offsets, or by partners at contact.
 bool loses_pairs(const Scene& scene);
 /// The collision rate goes with the contact value of the local density.

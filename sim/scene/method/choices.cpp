@@ -57,6 +57,13 @@ bool has_full_cells(const Scene& scene) {
   return choice(scene.method, false, get);
 }
 
+bool has_diagonal_cells(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.lattice == CellLattice::diagonal) {
+    return options.lattice == CellLattice::diagonal;
+  };
+  return choice(scene.method, false, get);
+}
+
 double least_cell_edge(const Scene& scene) {
   const auto get = [](const auto& options) -> decltype(options.partners == Partners::contact) {
     return options.partners == Partners::contact;
@@ -78,8 +85,9 @@ double at_most(double wanted, double size, double least) {
 
 std::vector<double> cells_of_edge(const Scene& scene, double edge) {
   std::vector<double> numbers;
+  const double along = has_diagonal_cells(scene) ? M_SQRT2 * edge : edge;
   for (const double length : scene.domain.size)
-    numbers.push_back(at_most(std::round(length / edge), length, least_cell_edge(scene)));
+    numbers.push_back(at_most(std::round(length / along), length, least_cell_edge(scene)));
   return numbers;
 }
 

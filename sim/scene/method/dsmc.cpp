@@ -59,9 +59,7 @@ void read(Table& table, MethodOptions& options) {
   table.read_word("partners", "choice of partners", dsmc.partners, partners_words());
   read_excluded_volume(table, dsmc);
   read_impact(table, dsmc);
-  table.read("cells", dsmc.cells);
-  table.read("cell-size", dsmc.cell_size);
-  if (table.has("cells")) table.refuse("cell-size", "is given beside 'cells'; give one of them");
+  read_cells(table, dsmc);
 }
 
 void write(Lines& lines, const MethodOptions& options) {
@@ -74,8 +72,7 @@ void write(Lines& lines, const MethodOptions& options) {
   lines.add("partners", word_of(partners_words(), dsmc.partners));
   write_excluded_volume(lines, dsmc);
   write_impact(lines, dsmc);
-  if (!dsmc.cells.empty()) lines.add("cells", dsmc.cells);
-  lines.add("cell-size", dsmc.cell_size);
+  write_cells(lines, dsmc);
 }
 
 void check_corrected_offset(const Scene& scene, Diagnostics& diagnostics) {
@@ -124,6 +121,7 @@ struct HybridChoices {
   Entry entry = Entry::free;
   ImpactDistribution impact = ImpactDistribution::uniform;
   bool offset_in_full_cells = false;
+  CellLattice lattice = CellLattice::fixed;
 };
 
 /// Hybrid simulation Monte Carlo: `cba` with an excluded volume of cells.
@@ -135,6 +133,7 @@ Preset hybrid(const char* name, const char* summary, const HybridChoices& choice
   options.entry = choices.entry;
   options.impact = choices.impact;
   options.offset_in_full_cells = choices.offset_in_full_cells;
+  options.lattice = choices.lattice;
   return {{name, summary}, options};
 }
 
@@ -186,6 +185,10 @@ MethodFamily make_family() {
              {.impact = ImpactDistribution::fitted}),
       hybrid("hsmc-offset-everywhere", "hsmc that displaces partners in full cells too: heaps do not rest",
              {.offset_in_full_cells = true}),
+      hybrid("hsmc-shift", "hsmc whose cells are displaced at random every step",
+             {.lattice = CellLattice::shifted}),
+      hybrid("hsmc-rotated", "hsmc with square cells that stand on a corner, in 2D",
+             {.lattice = CellLattice::diagonal}),
       fitted("dsmc-pb", "dsmc with impact parameters from p(b) = a/(1 - c b^2)")};
   family.keys = {"contact-factor",
                  "density",
@@ -200,6 +203,7 @@ MethodFamily make_family() {
                  "offset-in-full-cells",
                  "impact",
                  "impact-coefficient",
+                 "lattice",
                  "cells",
                  "cell-size"};
   family.read = read;

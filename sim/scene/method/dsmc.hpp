@@ -31,7 +31,10 @@ void check_partners(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& di
 bool check_curve(const Curve& curve, const std::string& path, const std::string& places,
                  const std::string& values, Diagnostics& diagnostics);
 
-/// Reports cells that are too many, too wide or given in two ways.
+// The collision cells: their keys of [method].
+void read_cells(Table& table, DsmcOptions& dsmc);
+void write_cells(Lines& lines, const DsmcOptions& dsmc);
+/// Reports cells that are too many, too wide or given in two ways, and a lattice that the dimension does not know.
 void check_cells(const DsmcOptions& dsmc, const Domain& domain, Diagnostics& diagnostics);
 
 }  // namespace sandglass

@@ -28,22 +28,35 @@ void check_entry(const DsmcOptions& dsmc, Diagnostics& diagnostics) {
     check_bounds(diagnostics, item_path(path + ".probability", i), curve.value[i], between(0, 1));
 }
 
+/// Of the smallest cell to a whole one: displaced cells and those on a corner are down to half as wide at walls.
+double smallest_cell(const Scene& scene, const std::vector<double>& cells) {
+  const CellLattice lattice = std::get<DsmcOptions>(scene.method.options).lattice;
+  double smallest = 1;
+  for (std::size_t axis = 0; axis < cells.size(); ++axis)
+    if (scene.domain.sides[axis][0] != Side::periodic &&
+        (lattice == CellLattice::diagonal || (lattice == CellLattice::shifted && cells[axis] > 1)))
+      smallest /= 2;
+  return smallest;
+}
+
 /// Where the cells are given: room for one particle at least.
 void check_room(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics) {
   for (const char* path : {"method", "domain", "species"})
     if (!diagnostics.clean(path)) return;
-  double cells = 1;
-  for (const double number : cells_along(scene)) cells *= number;
-  if (cells_along(scene).empty()) return;
+  const std::vector<double> along = cells_along(scene);
+  if (along.empty()) return;
+  double cells = dsmc.lattice == CellLattice::diagonal ? 2 : 1;
+  for (const double number : along) cells *= number;
   const int dimension = scene.domain.dimension;
   const double densest = dsmc.densest_fraction.value_or(random_close_packing(dimension));
   const double one = scene.method.weight * particle_volume(scene.species.front(), dimension);
-  const double room = densest * volume(scene.domain) / cells / one;
+  const double room = densest * volume(scene.domain) / cells / one * smallest_cell(scene, along);
   if (room < 1)
-    diagnostics.report(dsmc.cells.empty() ? "method.cell-size" : "method.cells",
-                       fmt::format("a cell has room for {:.3g} simulated particles; widen the cells or lower "
-                                   "'method.weight', so that at least 1 fits in",
-                                   room));
+    diagnostics.report(
+        dsmc.cells.empty() ? "method.cell-size" : "method.cells",
+        fmt::format("{} has room for {:.3g} simulated particles; widen the cells or lower "
+                    "'method.weight', so that at least 1 fits in",
+                    smallest_cell(scene, along) < 1 ? "the smallest cell at a wall" : "a cell", room));
 }
 }  // namespace
 

@@ -30,6 +30,16 @@ const std::vector<BadEdit> edits = {
      "weight = 100.0\ncells = [40, 70]",
      "12:9",
      {"room for", "at least 1", "'method.weight'"}},
+    {"no_room_at_the_wall",
+     "cells = [4, 7]",
+     "weight = 5.0\nlattice = \"shifted\"\ncells = [4, 7]",
+     "13:9",
+     {"the smallest cell at a wall has room for 0.7", "'method.weight'"}},
+    {"no_such_lattice",
+     "cells =",
+     "lattice = \"rotated\"\ncells =",
+     "11:11",
+     {"'rotated'", "'fixed', 'shifted' or 'diagonal'"}},
     {"too_dense", "cells =", "densest-fraction = 0.95\ncells =", "11:20", {"0.95", "close packing (0.9069)"}},
     {"nothing_to_fall",
      "cells =",
@@ -80,8 +90,29 @@ TEST(ExcludedVolumeScene, KeepsItsKeysInTheRecord) {
        {with("hsmc", "densest-fraction = 0.7"), with("hsmc-ramp", ""),
         with("hsmc-ramp", "entry-probability = { fraction = [0.5, 0.75], probability = [1, 0.25] }"),
         with("hsmc-pb", "impact-coefficient = 0.4"), with("hsmc-offset-everywhere", ""),
+        with("hsmc-shift", ""), with("hsmc-rotated", ""), with("hsmc-shift", "lattice = \"fixed\""),
+        with("dsmc", "lattice = \"diagonal\""),
         with("dsmc-pb", "impact-coefficient = { collisions-per-particle = [0, 80], value = [0, 0.5] }")})
     EXPECT_EQ(read_scene_text(write_scene(scene), "again.toml"), scene);
+}
+
+/// Cells on a corner are counted from corner to corner.
+TEST(ExcludedVolumeScene, CountsDiagonalCellsFromCornerToCorner) {
+  std::string text = good;
+  text.replace(text.find("\"hsmc\""), 6, "\"hsmc-rotated\"");
+  text.replace(text.find("cells = [4, 7]"), 14, "cells = [3, 7]");
+  EXPECT_EQ(cells_along(read_scene_text(text, "scene.toml")), (std::vector<double>{3, 7}));
+  text.replace(text.find("cells = [3, 7]"), 14, "cell-size = 2.0");
+  EXPECT_EQ(cells_along(read_scene_text(text, "scene.toml")), (std::vector<double>{4, 7}));
+}
+
+TEST(ExcludedVolumeScene, RefusesDiagonalCellsIn3D) {
+  std::string room = good;
+  room.replace(room.find("dimension = 2\nsize = [10.0, 20.0]"), 33,
+               "dimension = 3\nsize = [10.0, 20.0, 5.0]");
+  room.replace(room.find("[4, 7]"), 6, "[4, 7, 2]");
+  expect_refused(room,
+                 {"", "\"hsmc\"", "\"hsmc-rotated\"", "9:1", {"in 2D only; use \"fixed\" or \"shifted\""}});
 }
 
 }  // namespace
