@@ -138,7 +138,7 @@ TEST(OpenSides, ObstaclesStandInTheWay) {
 class RefuseAll final : public EntryRule<2> {
  public:
   void decide(const Proposals<2>& moves) override {
-    EXPECT_EQ(moves.entering.size(), moves.grid.size());
+    EXPECT_EQ(moves.entering.size(), moves.cells.size());
     for (std::uint8_t& refused : moves.refused) refused = 1;
   }
 };
