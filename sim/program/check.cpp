@@ -21,7 +21,8 @@ std::string missing_series(const Record& record) {
   for (const CheckInfo& info : all_checks())
     if (info.applies(scene)) list += fmt::format("\n  {}: {}", info.name, fmt::join(info.needs, ", "));
   if (list.empty()) return "None holds for a scene like this one; 'sandglass list checks' names them all.";
-  return "Checks that hold for this scene, and the series that they need (observe them and run again):" + list;
+  return "Checks that hold for this scene, and the series that they need (observe them and run again):" +
+         list;
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 #include "sim/program/table.hpp"
 #include "sim/run/run.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace sandglass::program {
 

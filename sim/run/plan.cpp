@@ -2,9 +2,9 @@
 #include "sim/run/setup.hpp"
 #include "sim/scene/method/family.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace sandglass {
 

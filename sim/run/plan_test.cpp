@@ -79,8 +79,8 @@ TEST(Plan, WarnsOfCoarseCellsAndLongSteps) {
 /// "Lower the cell size" beside "widen the cells" would be no advice.
 TEST(Plan, DoesNotAdviseWiderAndNarrowerCellsAtOnce) {
   const auto says = [](const Plan& plan, const std::string& words) {
-    return std::ranges::any_of(plan.warnings,
-                               [&](const std::string& text) { return text.find(words) != std::string::npos; });
+    return std::ranges::any_of(
+        plan.warnings, [&](const std::string& text) { return text.find(words) != std::string::npos; });
   };
   Scene dense = test_scene(2, 30, 900);
   dsmc_options(dense).cells = {20, 20};
@@ -97,8 +97,10 @@ TEST(Plan, DoesNotAdviseWiderAndNarrowerCellsAtOnce) {
 TEST(Plan, OfCollisionsWithoutAParticleIsUnknown) {
   Scene scene = test_scene(2, 30, 0);
   dsmc_options(scene).cells = {10, 10};
-  scene.sources.push_back({.rate = 1, .centre = {15, 15}});
-  scene.run.duration = {.collisions = 20};
+  scene.sources.resize(1);
+  scene.sources[0].rate = 1;
+  scene.sources[0].centre = {15, 15};
+  scene.run.duration = {{}, {}, 20.0};
   const Plan planned = plan(scene);
   for (double work : {planned.steps, planned.particle_moves, planned.expected_collisions})
     EXPECT_EQ(work, HUGE_VAL);

@@ -91,10 +91,10 @@ void ReplicaRun<D>::refuse_standstill() const {
   const bool more = std::ranges::any_of(scene_.sources, [](const Source& source) { return !source.count; }) ||
                     poured < static_cast<double>(poured_count(scene_));
   if (simulator_->size() < 2 && !more && clock_.collisions < wanted)
-    throw RunError(
-        fmt::format("step {}, time {:.6g}: {} of the particles left, and the run is to last {} collisions per "
-                    "particle; give the duration as a time",
-                    clock_.step, clock_.time, simulator_->size() == 0 ? "none" : "one", wanted));
+    throw RunError(fmt::format(
+        "step {}, time {:.6g}: {} of the particles left, and the run is to last {} collisions per "
+        "particle; give the duration as a time",
+        clock_.step, clock_.time, simulator_->size() == 0 ? "none" : "one", wanted));
   if (clock_.step % 1'000'000 == 0 && simulator_->tally().collisions == 0)
     throw RunError(
         fmt::format("no collision in {} steps, and the run is to last {} collisions per particle; raise "

@@ -132,9 +132,9 @@ class Builder final : public MethodBuilder<D> {
                       "shorten 'method.time-step'",
                       plan.collisions_per_particle_and_step));
     if (plan.particles_per_cell < 5)
-      plan.warnings.push_back(
-          fmt::format("{:.2g} particles per cell: the same pairs meet again and again; {}lower 'method.weight'",
-                      plan.particles_per_cell, wide ? "" : "widen the cells or "));
+      plan.warnings.push_back(fmt::format(
+          "{:.2g} particles per cell: the same pairs meet again and again; {}lower 'method.weight'",
+          plan.particles_per_cell, wide ? "" : "widen the cells or "));
   }
 
   /// How to get more particles into a cell, or to do without.

@@ -71,8 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Edits, ExcludedVolumeScene, testing::ValuesIn(edits), e
 
 /// A key that is missing because it is misspelt is among those that the misspelt one may have meant.
 TEST(ExcludedVolumeScene, KnowsAMissingKeyByItsMisspelling) {
-  const std::string text =
-      spoiled(good, {"", "\"hsmc\"", "\"hsmc-pb\"\nimpact-coefficent = 0.4", "", {}});
+  const std::string text = spoiled(good, {"", "\"hsmc\"", "\"hsmc-pb\"\nimpact-coefficent = 0.4", "", {}});
   try {
     read_scene_text(text, "scene.toml");
     FAIL();
