@@ -17,13 +17,12 @@ namespace {
 /// What the scene's own checks would need: the remedy for a record that none can read.
 std::string missing_series(const Record& record) {
   const Scene scene = read_scene_text(record.scene, "scene of the record");
-  std::string text =
-      "Checks that hold for this scene, and the series that they need (observe them and run again):";
-  for (const CheckInfo& info : all_checks()) {
-    if (!info.applies(scene)) continue;
-    text += fmt::format("\n  {}: {}", info.name, fmt::join(info.needs, ", "));
-  }
-  return text;
+  std::string list;
+  for (const CheckInfo& info : all_checks())
+    if (info.applies(scene)) list += fmt::format("\n  {}: {}", info.name, fmt::join(info.needs, ", "));
+  if (list.empty()) return "None holds for a scene like this one; 'sandglass list checks' names them all.";
+  return "Checks that hold for this scene, and the series that they need (observe them and run again):" +
+         list;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "sim/program/table.hpp"
 #include "sim/run/run.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -34,6 +36,13 @@ std::string joined(const std::vector<std::string>& words) {
   return text.empty() ? "nothing" : text;
 }
 
+std::string work(const Plan& plan) {
+  if (!std::isfinite(plan.steps))
+    return "unknown: the duration counts collisions, and none can be expected of the particles at the start";
+  return fmt::format("{:.4g} steps, {:.3g} particle-moves, {:.3g} collisions", plan.steps,
+                     plan.particle_moves, plan.expected_collisions);
+}
+
 std::string as_text(const Plan& plan) {
   std::vector<std::vector<std::string>> rows = {
       {"method", plan.method},
@@ -44,8 +53,7 @@ std::string as_text(const Plan& plan) {
                                 plan.collisions_per_particle_and_step)},
       {"memory", fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle,
                              plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6)},
-      {"work", fmt::format("{:.4g} steps, {:.3g} particle-moves, {:.3g} collisions", plan.steps,
-                           plan.particle_moves, plan.expected_collisions)},
+      {"work", work(plan)},
       {"columns", joined(plan.columns)},
       {"in use", joined(plan.used)},
       {"left out", joined(plan.left_out)},

@@ -2,6 +2,8 @@
 #include "sim/run/setup.hpp"
 #include "sim/scene/method/family.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace sandglass {
@@ -32,6 +34,8 @@ void expect_work(const Setup<D>& setup, Plan& plan) {
   const double runs = static_cast<double>(scene.run.replicas) * static_cast<double>(plan.particles);
   plan.particle_moves = plan.steps * runs;
   plan.expected_collisions = plan.steps * plan.collisions_per_particle_and_step * runs / 2;
+  // A scene that starts without particles which collide: nobody can tell when they will have collided so often.
+  if (!std::isfinite(plan.steps)) plan.particle_moves = plan.expected_collisions = HUGE_VAL;
 }
 
 /// What is on or off whatever the family.

@@ -76,6 +76,36 @@ TEST(Plan, WarnsOfCoarseCellsAndLongSteps) {
   EXPECT_EQ(plan(scene).warnings.size(), 3u);
 }
 
+/// "Lower the cell size" beside "widen the cells" would be no advice.
+TEST(Plan, DoesNotAdviseWiderAndNarrowerCellsAtOnce) {
+  const auto says = [](const Plan& plan, const std::string& words) {
+    return std::ranges::any_of(
+        plan.warnings, [&](const std::string& text) { return text.find(words) != std::string::npos; });
+  };
+  Scene dense = test_scene(2, 30, 900);
+  dsmc_options(dense).cells = {20, 20};
+  EXPECT_TRUE(says(plan(dense), "lower 'method.cell-size'"));
+  EXPECT_FALSE(says(plan(dense), "widen"));
+  EXPECT_TRUE(says(plan(dense), "again; lower 'method.weight'"));
+  Scene thin = test_scene(2, 300, 900);
+  dsmc_options(thin).cells = {300, 300};
+  EXPECT_FALSE(says(plan(thin), "lower 'method.cell-size'"));
+  EXPECT_TRUE(says(plan(thin), "widen the cells or lower 'method.weight'"));
+}
+
+/// A source fills an empty box: 0/0 is no plan.
+TEST(Plan, OfCollisionsWithoutAParticleIsUnknown) {
+  Scene scene = test_scene(2, 30, 0);
+  dsmc_options(scene).cells = {10, 10};
+  scene.sources.resize(1);
+  scene.sources[0].rate = 1;
+  scene.sources[0].centre = {15, 15};
+  scene.run.duration = {{}, {}, 20.0};
+  const Plan planned = plan(scene);
+  for (double work : {planned.steps, planned.particle_moves, planned.expected_collisions})
+    EXPECT_EQ(work, HUGE_VAL);
+}
+
 TEST(Run, RefusesToWaitForCollisionsThatNeverCome) {
   Scene scene = test_scene(2, 10, 2);
   scene.initial.temperature = 1e-300;
@@ -86,6 +116,19 @@ TEST(Run, RefusesToWaitForCollisionsThatNeverCome) {
   } catch (const RunError& error) {
     EXPECT_NE(std::string(error.what()).find("no collision in 1000000 steps"), std::string::npos)
         << error.what();
+  }
+}
+
+/// Over open sides the last pair may leave before it has collided so often.
+TEST(Run, RefusesToWaitForCollisionsOfParticlesThatHaveLeft) {
+  Scene scene = test_scene(2, 10, 50);
+  scene.domain.sides.assign(2, {Side::open, Side::open});
+  scene.run.duration = {{}, {}, 1000.0};
+  try {
+    run_scene(scene);
+    FAIL();
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("of the particles left"), std::string::npos) << error.what();
   }
 }
 

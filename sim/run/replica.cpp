@@ -73,7 +73,7 @@ void ReplicaRun<D>::step() {
   clock_.collisions = collisions_.per_particle(simulator_->tally().collisions, simulator_->size());
   if (sources_) sources_->pour(*simulator_, clock_);
   sample_what_is_due();
-  if (clock_.step % 1'000'000 == 0) refuse_standstill();
+  if (scene_.run.duration.collisions) refuse_standstill();
 }
 
 template <int D>
@@ -85,11 +85,21 @@ void ReplicaRun<D>::sample_what_is_due() {
 
 template <int D>
 void ReplicaRun<D>::refuse_standstill() const {
-  if (scene_.run.duration.collisions && simulator_->tally().collisions == 0)
+  const double wanted = *scene_.run.duration.collisions;
+  const double poured =
+      sources_ ? std::accumulate(sources_->poured().begin(), sources_->poured().end(), 0.0) : 0;
+  const bool more = std::ranges::any_of(scene_.sources, [](const Source& source) { return !source.count; }) ||
+                    poured < static_cast<double>(poured_count(scene_));
+  if (simulator_->size() < 2 && !more && clock_.collisions < wanted)
+    throw RunError(fmt::format(
+        "step {}, time {:.6g}: {} of the particles left, and the run is to last {} collisions per "
+        "particle; give the duration as a time",
+        clock_.step, clock_.time, simulator_->size() == 0 ? "none" : "one", wanted));
+  if (clock_.step % 1'000'000 == 0 && simulator_->tally().collisions == 0)
     throw RunError(
         fmt::format("no collision in {} steps, and the run is to last {} collisions per particle; raise "
                     "'method.time-step' or give the duration as a time",
-                    clock_.step, *scene_.run.duration.collisions));
+                    clock_.step, wanted));
 }
 
 template <int D>

@@ -107,18 +107,20 @@ class Builder final : public MethodBuilder<D> {
            (per_cell + (parameters_.excluded_volume.any() ? 21 + 8 * D : 0)) * cells_.size() / particles;
   }
 
+  /// Two warnings never advise opposite things: cells as wide as a mean free path or wider get more particles by weight.
   void warn(Plan& plan) const {
+    const bool wide = plan.cell_size_in_mean_free_paths > 1;
     if (const double deficit = expected_pair_deficit(D, parameters_, density(), plan.particles_per_cell);
         deficit > 0.01)
       plan.warnings.push_back(fmt::format(
           "about {:.2g}% of the collisions and of their pressure are missing: {} cells of {:.3g} particles; "
-          "use {:.0f} a cell, or {}",
+          "use {:.0f} a cell{}",
           100 * deficit,
           parameters_.partners == Partners::contact ? "partners push each other apart in"
                                                     : "offsets take partners out of",
           plan.particles_per_cell, std::ceil(default_particles_per_cell(D, parameters_, density())),
-          parameters_.partners == Partners::contact ? "lower 'method.weight'" : "pair-count = \"expected\""));
-    if (plan.cell_size_in_mean_free_paths > 1)
+          remedy(wide)));
+    if (wide)
       plan.warnings.push_back(
           fmt::format("cells are {:.2g} mean free paths wide: transport is smeared over more than a free "
                       "path; lower 'method.cell-size'",
@@ -129,10 +131,17 @@ class Builder final : public MethodBuilder<D> {
                       "shorten 'method.time-step'",
                       plan.collisions_per_particle_and_step));
     if (plan.particles_per_cell < 5)
-      plan.warnings.push_back(
-          fmt::format("{:.2g} particles per cell: the same pairs meet again and again; widen the cells or "
-                      "lower 'method.weight'",
-                      plan.particles_per_cell));
+      plan.warnings.push_back(fmt::format(
+          "{:.2g} particles per cell: the same pairs meet again and again; {}lower 'method.weight'",
+          plan.particles_per_cell, wide ? "" : "widen the cells or "));
+  }
+
+  /// How to get more particles into a cell, or to do without.
+  const char* remedy(bool wide) const {
+    if (parameters_.partners == Partners::contact)
+      return wide ? " by a lower 'method.weight'" : ", or lower 'method.weight'";
+    return wide ? " by a lower 'method.weight', or pair-count = \"expected\""
+                : ", or pair-count = \"expected\"";
   }
 
   Scene scene_;

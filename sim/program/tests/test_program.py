@@ -107,6 +107,23 @@ def test_plan_says_what_is_left_out(scene, tmp_path):
     assert plan["steps"] == 500
 
 
+def test_plan_of_a_box_that_a_source_fills_shows_no_infinite_number(tmp_path):
+    text = SCENE.replace("{ steps = STEPS }", "{ collisions-per-particle = 20.0 }").replace("area-fraction = 0.05", "count = 0")
+    (tmp_path / "pour.toml").write_text(text + "[[source]]\nrate = 1.0\ncentre = [20.0, 20.0]\n")
+    assert "unknown" in run("plan", "pour.toml", folder=tmp_path).stdout
+    assert "nan" not in run("plan", "pour.toml", folder=tmp_path).stdout.split()
+    assert json.loads(run("plan", "pour.toml", "--json", folder=tmp_path).stdout)["steps"] is None
+
+
+def test_check_of_a_scene_that_no_law_knows_announces_no_list(tmp_path):
+    text = SCENE.replace("STEPS", "10").replace("40.0]", '40.0], sides = { x = "open" }').replace("restitution = 0.9", "restitution = 0.5")
+    (tmp_path / "open.toml").write_text(text)
+    assert run("run", "open.toml", "--quiet", folder=tmp_path).returncode == 0
+    refused = run("check", "open.h5", folder=tmp_path)
+    assert refused.returncode == 2
+    assert "sandglass list checks" in refused.stderr and "and run again" not in refused.stderr
+
+
 def test_interrupt_writes_a_checkpoint_that_resumes(tmp_path):
     (tmp_path / "gas.toml").write_text(SCENE.replace("STEPS", "150000").replace("{ steps = 100 }", "{ steps = 15000 }"))
     whole = run("run", "gas.toml", "-o", "whole.h5", "--quiet", folder=tmp_path)

@@ -79,6 +79,17 @@ const std::vector<BadEdit> edits = {
 
 INSTANTIATE_TEST_SUITE_P(Edits, ExcludedVolumeScene, testing::ValuesIn(edits), edit_name);
 
+/// A key that is missing because it is misspelt is among those that the misspelt one may have meant.
+TEST(ExcludedVolumeScene, KnowsAMissingKeyByItsMisspelling) {
+  const std::string text = spoiled(good, {"", "\"hsmc\"", "\"hsmc-pb\"\nimpact-coefficent = 0.4", "", {}});
+  try {
+    read_scene_text(text, "scene.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("did you mean 'impact-coefficient'?"));
+  }
+}
+
 /// What is written reads back as it was.
 TEST(ExcludedVolumeScene, KeepsItsKeysInTheRecord) {
   const auto with = [](const std::string& preset, const std::string& keys) {

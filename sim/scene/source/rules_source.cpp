@@ -89,7 +89,7 @@ class SourceRules {
     const double clearing = missing / pull + scene_.method.time_step.fixed.value_or(0);
     if (source_.rate * clearing <= 1 || !diagnostics_.clean(key("rate"))) return;
     diagnostics_.report(key("rate"),
-                        fmt::format("{} pours {} particles while one falls out of the way: its "
+                        fmt::format("{} pours {:.4g} particles while one falls out of the way: its "
                                     "speed must pass that of a fall through a "
                                     "diameter, which takes {:.4g} with a step; lower the rate to {:.4g}, or "
                                     "give a 'velocity' of {:.4g} along gravity",
@@ -176,13 +176,14 @@ void check_heights(const Scene& scene, Diagnostics& diagnostics) {
       "each axis");
 }
 
-/// Without a particle there is neither a temperature nor a collision rate.
+/// Without a particle there is neither a temperature, a collision rate nor a largest speed.
 void check_step(const Scene& scene, Diagnostics& diagnostics) {
   if (particle_count(scene) > 0 || scene.method.time_step.fixed) return;
   diagnostics.report(
       "method.time-step",
-      "'method.time-step' follows from the collisions of the particles, and this scene starts without "
-      "one: give it as a time");
+      fmt::format("'method.time-step' follows from the {} of the particles, and this scene starts without "
+                  "one: give it as a time",
+                  scene.method.time_step.cell_fraction ? "speeds" : "collisions"));
 }
 }  // namespace
 

@@ -108,7 +108,12 @@ const std::vector<BadEdit> errors = {
      "time-step = 0.1",
      "time-step = { collisions-per-particle = 0.1 }",
      "28:13",
-     {"starts without one: give it as a time"}},
+     {"follows from the collisions", "starts without one: give it as a time"}},
+    {"no_speed",
+     "time-step = 0.1",
+     "time-step = { cell-fraction = 0.1 }",
+     "28:13",
+     {"follows from the speeds", "starts without one: give it as a time"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Source, SourceErrors, testing::ValuesIn(errors), edit_name);

@@ -85,6 +85,7 @@ void Table::refuse(const std::string& key, const std::string& reason) {
 }
 
 void Table::report_missing(const std::string& key, const std::string& remedy) {
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
   diagnostics_->report(path_of(key), fmt::format("missing {}: {}", shown(path_of(key)), remedy));
 }
 
