@@ -139,16 +139,33 @@ TEST(PileHeight, LeavesOutWhoFallsFasterThanPoured) {
   EXPECT_EQ(pile_height(view, 1, true, 0), 4);
   EXPECT_EQ(pile_height(view, 1, true, 3), 9);
   EXPECT_EQ(pile_height(view, 1, false, 0.5), 8);  // gravity up: heights count from the high end
+  view.particles = std::span(particles).first(3);
+  EXPECT_EQ(pile_height(view, 1, false, 0.5), 3);  // who rises falls
   view.particles = {};
   EXPECT_EQ(pile_height(view, 1, true, 0), 0);
 }
 
-/// The place of a particle is its own, whatever the step.
+/// The place of a particle is its own, whatever the step, and however many come in it.
 TEST(Sources, TheTimeStepMovesNoParticleSideways) {
-  const Record one = run_text(kFloor),
-               other = run_text(edited(kFloor, "time-step = 0.1", "time-step = 0.02"));
-  for (std::uint64_t id = 0; id < 39; ++id)
-    ASSERT_EQ(coordinate(one.trajectory.back(), id, 0), coordinate(other.trajectory.back(), id, 0));
+  const std::string several = edited(kFloor, "rate = 1.3\nheight = 8.0\ncentre = [6.0]\nwidth = [2.0]",
+                                     "rate = 25.0\ncentre = [6.0, 9.0]\nwidth = [2.0, 0.0]\ncount = 39");
+  for (const std::string& text : {kFloor, several}) {
+    const Record one = run_text(text), other = run_text(edited(text, "time-step = 0.1", "time-step = 0.02"));
+    for (std::uint64_t id = 0; id < 39; ++id)
+      ASSERT_EQ(coordinate(one.trajectory.back(), id, 0), coordinate(other.trajectory.back(), id, 0));
+  }
+}
+
+/// Under gravity up, with the floor on top, all stands on its head.
+TEST(Sources, FallUpAsTheyFallDown) {
+  const std::string bounce = edited(kFloor, "restitution = 0.0", "restitution = 0.6");
+  const Record down = run_text(bounce);
+  const Record up = run_text(edited(edited(bounce, "y-low", "y-high"), "-1.0]", "1.0]"));
+  for (std::size_t i = 0; i < down.trajectory.size(); ++i) {
+    ASSERT_EQ(up.trajectory[i].particles(2), down.trajectory[i].particles(2)) << i;
+    for (std::uint64_t id = 0; id < down.trajectory[i].particles(2); ++id)
+      ASSERT_NEAR(coordinate(up.trajectory[i], id, 1), 40 - coordinate(down.trajectory[i], id, 1), 1e-9) << i;
+  }
 }
 
 /// Little's law: a straight beam into an open side holds rate times the time of flight.

@@ -1,6 +1,7 @@
 #include "sim/run/time_step.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/observe/sums.hpp"
 #include "sim/run/initial.hpp"
 #include "sim/run/test_scene.hpp"
 
@@ -43,6 +44,44 @@ TEST(TimeStepper, GivesTheWantedCollisionsPerStep) {
 TEST(TimeStepper, FollowsACoolingGas) {
   expect_wanted_collisions<2>(0.8, "dsmc", 1);
   expect_wanted_collisions<3>(0.8, "dsmc", 1);
+}
+
+/// Half the particles collide half as often: the step is twice as long, but for their own temperature.
+TEST(TimeStepper, FollowsTheNumberOfParticles) {
+  Scene scene = test_scene(2, 100, 2000);
+  scene.method.time_step = {{}, 0.05};
+  const auto setup = set_up<2>(scene, {});
+  const auto gas = setup.method->build({1, 0}, {});
+  gas->assign(initial_particles<2>(setup, {1, 0}));
+  const double temperature = temperatures(gas->view()).mean();
+  const double step = TimeStepper<2>(setup).next(gas->view(), 0);
+  std::vector<std::uint32_t> leaving;
+  for (std::uint32_t i = 0; i < 2000; i += 2) leaving.push_back(i);
+  gas->remove(leaving);
+  EXPECT_NEAR(TimeStepper<2>(setup).next(gas->view(), 0),
+              2 * step * std::sqrt(temperature / temperatures(gas->view()).mean()), 1e-12 * step);
+}
+
+/// Twice the largest speed, a fall through a cell from rest and the fastest wall, over the shorter edge of a cell.
+TEST(TimeStepper, KeepsWithinAFractionOfACell) {
+  Scene scene = test_scene(2, 12, 30);
+  choose(scene.method, "dsmc");
+  dsmc_options(scene).cells = {3, 6};
+  scene.domain.sides[1] = {Side::specular, Side::specular};
+  scene.gravity = {0, -0.5};
+  Wall floor;
+  floor.axis = 1;
+  floor.velocity = {0.6, 0};
+  floor.amplitude = 0.2;
+  floor.frequency = 0.5;
+  scene.walls = {floor};
+  scene.method.time_step = {};
+  scene.method.time_step.cell_fraction = 0.25;
+  const auto setup = set_up<2>(scene, {});
+  const auto gas = setup.method->build({1, 0}, {});
+  gas->assign({{{{1, 1}, {3, 4}}, {{2, 2}, {-1, 0}}}, {}});
+  const double fall = std::sqrt(2 * 0.5 * 2), wall = std::hypot(2 * M_PI * 0.2 * 0.5, 0.6);
+  EXPECT_NEAR(TimeStepper<2>(setup).next(gas->view(), 0), 0.25 * 2 / (2 * 5 + fall + wall), 1e-14);
 }
 
 template <int D>

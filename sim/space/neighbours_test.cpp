@@ -82,6 +82,16 @@ TEST(Neighbours, AlternateWhereNoneHasTheSameColour) {
     }
 }
 
+/// With an odd number of cells around too: who has had no turn has the next.
+TEST(Neighbours, CheckerboardSwapsWithEveryTurn) {
+  for (const bool around : {true, false}) {
+    const Neighbours<3> neighbours(grid(), {around, around, around});
+    for (std::uint64_t turn = 0; turn < 60; turn += 2)
+      for (std::uint32_t cell = 0; cell < grid().size(); ++cell)
+        ASSERT_NE(neighbours.colour(cell, turn), neighbours.colour(cell, turn + 1)) << cell << ' ' << turn;
+  }
+}
+
 TEST(Neighbours, ASingleCellHasNoPair) {
   const Neighbours<2> neighbours(Grid<2>(Vector<2>(1, 1), {1, 1}), {true, false});
   EXPECT_EQ(neighbours.neighbour(0, 0, true), 0u);

@@ -67,6 +67,26 @@ TEST(OpenSides, EveryoneWhoHasLeftIsCounted) {
   EXPECT_GT(gas.counters().at("particles-left-x-high"), 50);
 }
 
+/// Of a box that is longer than high: each side counts its own.
+TEST(OpenSides, EverySideCountsThoseWhoLeaveByIt) {
+  motion::MotionParameters<2> motion;
+  motion.walled = {true, true};
+  motion.open = {{{true, true}, {true, true}}};
+  Collisionless<2> gas(Grid<2>({kLength, 2}, {4, 4}), {1, 1}, 1, motion, {});
+  Particles<2> particles;
+  const std::array<Vector<2>, 4> velocities = {{{-9, 0}, {9, 0}, {0, -9}, {0, 9}}};
+  for (std::size_t side = 0; side < 4; ++side)
+    for (std::size_t i = 0; i <= side; ++i) particles.phases.push_back({{4, 1}, velocities[side]});
+  gas.assign(particles);
+  for (std::uint64_t step = 0; step < 10; ++step) gas.step(kDt, step);
+  const auto counters = gas.counters();
+  EXPECT_EQ(counters.at("particles-left-x-low"), 1);
+  EXPECT_EQ(counters.at("particles-left-x-high"), 2);
+  EXPECT_EQ(counters.at("particles-left-y-low"), 3);
+  EXPECT_EQ(counters.at("particles-left-y-high"), 4);
+  EXPECT_EQ(counters.at("particles-left"), 10);
+}
+
 TEST(OpenSides, CountsGoOnAfterARestart) {
   Collisionless<2> whole(grid, {1, 1}, 1, open_at_x(), {}), second(grid, {1, 1}, 1, open_at_x(), {});
   whole.assign(gas_at_rest(500));

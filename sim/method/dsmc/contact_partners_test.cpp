@@ -317,6 +317,48 @@ void expect_order_to_be_no_matter() {
   EXPECT_TRUE(std::ranges::equal(forwards.store.phases(), backwards.store.phases(), same<D>));
 }
 
+/// A lone particle finds its partners in a crowded cell as often as each of them finds it.
+TEST(ContactPartners, ALoneParticleBesideACrowdCollidesAtItsRate) {
+  System<2> system = empty_system<2>(3, kEdge, true);
+  std::vector<Phase<2>> particles = {{{0.6, 1.8}, {1, 0}}};
+  for (int i = 0; i < 20; ++i) particles.push_back({{1.8, 1.8}, {0, 0}});
+  system.store.assign({particles, {}});
+  system.factor.assign(system.grid.size(), 1);
+  const double coefficient = 0.02, expected = 2 * coefficient * kDirections<2> * expected_sum(system);
+  ContactPartners<2> contact(transparent(), system.grid, system.periodic);
+  std::vector<double> counts;
+  for (std::uint64_t number = 0; number < 20'000; ++number) {
+    system.tally.collisions = 0;
+    contact.collide(system.step(coefficient, number));
+    counts.push_back(static_cast<double>(system.tally.collisions));
+  }
+  const Mean counted = mean_of_independent(counts);
+  EXPECT_LT(counted.standard_error, 0.02 * counted.value);
+  EXPECT_NEAR(counted.value, expected, 4.5 * counted.standard_error);
+}
+
+/// Who has been made fast by one side must not surprise the cell on the other: candidates follow the new velocity.
+TEST(ContactPartners, NeighboursSeeWhatACollisionHasMadeFast) {
+  std::uint64_t collisions = 0;
+  for (std::uint64_t number = 0; number < 200; ++number) {
+    System<2> system = empty_system<2>(1, kEdge, true);
+    system.grid = Grid<2>({3 * kEdge, kEdge}, {3, 1});
+    system.store = ParticleStore<2>(system.grid);
+    system.store.assign({{{{0.6, 0.6}, {1, 0}}, {{1.8, 0.6}, {0, 0}}, {{3, 0.6}, {0, 0}}}, {}});
+    ContactPartners<2> contact({}, system.grid, system.periodic);
+    const std::uint32_t left = 0, right = 2;
+    contact.begin(system.step(0.3, number));
+    contact.collide(system.step(0.3, number), {&left, 1});
+    collisions += system.tally.collisions;
+    const std::uint64_t before = system.tally.candidates;
+    const double speed = system.store.phases()[1].velocity.norm();
+    contact.collide(system.step(1000, number), {&right, 1});
+    ASSERT_GE(static_cast<double>(system.tally.candidates - before),
+              std::floor(1000 * kDirections<2> * speed * (1 - 1e-12)));
+  }
+  EXPECT_GT(collisions, 10u);
+}
+
 TEST(ContactPartners, OrderOfTheCellsOfAColourIsNoMatter) {
   expect_order_to_be_no_matter<2>();
   expect_order_to_be_no_matter<3>();

@@ -140,6 +140,31 @@ TEST(ExcludedVolume, ResumesBitForBit) {
   }
 }
 
+/// One collision of two particles is one collision of each, after which the fit holds that begins before it.
+TEST(FittedImpact, FollowsTheCollisionsOfEachParticle) {
+  const auto pair_with = [](const Curve& coefficient) {
+    Parameters parameters;
+    parameters.cross_section = 0.2;
+    parameters.impact.coefficient = coefficient;
+    return Dsmc<2>(Grid<2>(Vector<2>(1, 1), {1, 1}), parameters, {}, {});
+  };
+  Dsmc<2> gas = pair_with({{0.8, 0.9}, {0, 0.7}});
+  gas.assign({{{Vector<2>(0.2, 0.5), Vector<2>(1, 0)}, {Vector<2>(0.8, 0.5), Vector<2>(-1, 0)}}, {}});
+  std::uint64_t step = 0;
+  while (gas.tally().collisions == 0) gas.step(0.1, step++);
+  ASSERT_EQ(gas.tally().collisions, 1U);
+  Dsmc<2> later = pair_with({{0}, {0.7}}), earlier = pair_with({{0}, {0}});
+  for (Dsmc<2>* other : {&later, &earlier}) {
+    other->assign({{gas.view().particles.begin(), gas.view().particles.end()}, {}});
+    other->load(gas.save());
+    other->tally() = gas.tally();
+  }
+  for (const std::uint64_t end = step + 200; step < end; ++step)
+    for (Dsmc<2>* each : {&gas, &later, &earlier}) each->step(0.1, step);
+  EXPECT_TRUE(std::ranges::equal(gas.view().particles, later.view().particles, same<2>));
+  EXPECT_FALSE(std::ranges::equal(gas.view().particles, earlier.view().particles, same<2>));
+}
+
 /// A cell at half the ramp lets every second particle in.
 TEST(ExcludedVolume, RampAdmitsItsShare) {
   Parameters parameters = crowd_parameters<2>();
@@ -154,6 +179,26 @@ TEST(ExcludedVolume, RampAdmitsItsShare) {
   const double refused = dsmc.counters().at("moves-refused");
   EXPECT_NEAR(refused / moving, 0.5, 4 * 0.5 / std::sqrt(moving));
   EXPECT_EQ(dsmc.view().offsets[1], refused);
+}
+
+/// Luck is drawn anew in every step: of those who wait alone half get in, then half of the rest.
+TEST(ExcludedVolume, RampDrawsAnewInEveryStep) {
+  Parameters parameters = crowd_parameters<2>();
+  parameters.cross_section = 0;
+  parameters.excluded_volume.entry = {{0.1, 0.7}, {1, 0}};
+  constexpr std::uint32_t kRows = 2000;
+  std::vector<Phase<2>> particles;
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    particles.push_back({Vector<2>(0.5, row + 0.5), Vector<2>(1, 0)});
+    for (int i = 0; i < 5; ++i) particles.push_back({Vector<2>(1.5, row + 0.5), Vector<2>::Zero()});
+  }
+  Dsmc<2> dsmc(Grid<2>(Vector<2>(4, kRows), {4, kRows}), parameters, {}, {});
+  dsmc.assign({particles, {}});
+  for (std::uint64_t step = 0; step < 2; ++step) dsmc.step(0.6, step);
+  std::uint32_t waiting = 0;
+  for (std::uint32_t row = 0; row < kRows; ++row)
+    waiting += dsmc.view().offsets[4 * row + 1] - dsmc.view().offsets[4 * row];
+  EXPECT_NEAR(waiting / double{kRows}, 0.25, 4 * std::sqrt(0.25 * 0.75 / kRows));
 }
 
 }  // namespace

@@ -48,6 +48,10 @@ TEST(FullCells, CountRealParticles) {
   parameters.weight = 0.5;
   EXPECT_EQ(most_in_cell(3, parameters, 10), 24U);
   EXPECT_EQ(most_in_cell(3, parameters, 0.1), 0U);
+  parameters.excluded_volume.densest = 0.6;
+  parameters.weight = 0.2 / particle_volume(3, 1);
+  ASSERT_LT(0.6 / 0.2, 3);  // division leaves it short
+  EXPECT_EQ(most_in_cell(3, parameters, 1), 3U);
 }
 
 }  // namespace

@@ -110,6 +110,15 @@ TEST(DsmcNumber, GoesOnBitwiseAfterARestart) {
   EXPECT_EQ(*std::ranges::max_element(resumed.ids()), 1599u);
 }
 
+/// The window of the contact factor is chosen for those who are still to come as well.
+TEST(DsmcNumber, CountsThoseWhoAreStillToBePoured) {
+  Parameters parameters;
+  parameters.poured = 500;
+  Dsmc<2> dsmc({Vector<2>(8, 8), {8, 8}}, parameters, {}, {});
+  dsmc.assign(some_particles(20, 0));
+  EXPECT_EQ(dsmc.save().at("dsmc/window").at(0), 520);
+}
+
 /// A method that has not said otherwise.
 class Fixed final : public Simulator<2> {
  public:

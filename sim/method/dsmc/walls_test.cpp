@@ -1,6 +1,7 @@
 #include "sim/method/dsmc/dsmc.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,23 @@ void expect_restart() {
 TEST(DsmcWalls, RestartIsBitwise) {
   expect_restart<2>();
   expect_restart<3>();
+}
+
+/// Between walls that draw every velocity anew no two are alike.
+TEST(DsmcWalls, DrawAnewInEveryStep) {
+  motion::MotionParameters<2> motion;
+  motion.walled[0] = true;
+  for (const bool high : {false, true})
+    motion.walls.push_back(
+        {0, high, high ? 1.0 : 0.0, Vector<2>::Zero(), 0, 0, {WallKind::thermal, {}, 1, 1}});
+  Dsmc<2> dsmc(Grid<2>({1, 1}, {1, 1}), {}, motion, {});
+  dsmc.assign({{{{0.5, 0.5}, {1, 0}}}, {}});
+  std::set<double> speeds;
+  for (std::uint64_t step = 0; step < 100; ++step) {
+    dsmc.step(2, step);
+    speeds.insert(dsmc.view().particles[0].velocity[0]);
+  }
+  EXPECT_GT(speeds.size(), 80u);
 }
 
 TEST(DsmcWalls, TimeIsSavedOnlyIfAWallMoves) {
