@@ -47,7 +47,8 @@ Figure energy_figure(const Subject& subject) {
   Figure figure{
       "Energy per collision", {"collisions per particle", "1", false}, {"ln(E/E0)", "1", false}, {}, {}};
   Figure::Points measured{"measured", {}, {}, {}, {}};
-  Figure::Line hard{"event-driven", {}, {}}, hybrid{"hsmc", {}, {}}, direct{"dsmc", {}, {}};
+  Figure::Line hard{"hard disks", {}, {}}, hybrid{"hybrid Monte Carlo", {}, {}},
+      direct{"direct Monte Carlo", {}, {}};
   const double last = subject.collisions_per_particle(0, subject.series(0, "energy")).back();
   for (const CoolingPoint& point : correlations_reference()) {
     if (std::abs(point.area_fraction - fraction(subject.scene(), subject.species())) > 1e-6) continue;
@@ -94,7 +95,7 @@ Evidence energy_below_hard_disks(const Subject& subject, const law::Arguments& n
 Evidence correction(const Subject& subject, const law::Arguments& numbers) {
   const double collisions = numbers.at("collisions");
   const CoolingPoint& point = reference(subject, collisions);
-  const bool cells = subject.scene().method.preset.starts_with("hsmc");
+  const bool cells = has_full_cells(subject.scene());
   const double plain = cells ? point.hsmc : point.dsmc, error = cells ? point.hsmc_error : point.dsmc_error;
   const double gap = point.event_driven - plain;
   Mean part = mean_log_energy(subject, collisions);
