@@ -114,7 +114,7 @@ TEST(DsmcNumber, GoesOnBitwiseAfterARestart) {
 TEST(DsmcNumber, CountsThoseWhoAreStillToBePoured) {
   Parameters parameters;
   parameters.poured = 500;
-  Dsmc<2> dsmc({Vector<2>(8, 8), {8, 8}}, parameters, {}, {});
+  Dsmc<2> dsmc(Grid<2>(Vector<2>(8, 8), {8, 8}), parameters, {}, {});
   dsmc.assign(some_particles(20, 0));
   EXPECT_EQ(dsmc.save().at("dsmc/window").at(0), 520);
 }

@@ -1,3 +1,4 @@
+#include "sim/scene/method/capabilities.hpp"
 #include "sim/scene/test_bad_scene.hpp"
 
 namespace sandglass {
