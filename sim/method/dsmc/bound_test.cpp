@@ -1,8 +1,10 @@
+#include "sim/base/error.hpp"
 #include "sim/base/statistics.hpp"
 #include "sim/method/dsmc/collision_kernel.hpp"
 #include "sim/method/dsmc/test_cells.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -112,6 +114,16 @@ TEST(Bound, EquilibriumKeepsItsRateThroughAStep) {
   EXPECT_GT(cells.bound_raised, 10'000u);
   EXPECT_NEAR(mean.value, 0, 4.5 * mean.standard_error);
   EXPECT_LT(mean.standard_error, 0.003 * mean_of_correlated(rate).value);
+}
+
+/// Speeds for which a step would take hours, or that are no numbers, end the run with a reason.
+TEST(Bound, RefusesMoreCandidatesThanAStepCanTake) {
+  const auto stage = make_collision_stage<2>({});
+  for (const double speed : {1e12, 1e200, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    TestCells<2> cells;
+    cells.add_cell({{0, 0}, {speed, 0}, {0, 1}});
+    EXPECT_THROW(cells.collide(*stage, 0.05, 0), RunError) << speed;
+  }
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ class CollisionKernel final : public CollisionStage<D> {
       const double pairs = static_cast<double>(particles) * (static_cast<double>(particles) - 1);
       double expected = step.coefficient * pairs * rule_.bound(std::sqrt(task.square_diagonal));
       if (step.factor != nullptr) expected *= step.factor[cell];
+      require_few(expected, particles);
       task.candidates = rule_.whole(expected, task.random);
       task.cell = cell;
       count += task.candidates > 0;

@@ -1,9 +1,19 @@
 #include "sim/method/dsmc/collision_stage.hpp"
 
+#include "sim/base/error.hpp"
 #include "sim/method/dsmc/faulty_pairs.hpp"
 #include "sim/method/dsmc/fitted_pairs.hpp"
 
+#include <fmt/format.h>
+
 namespace sandglass::dsmc {
+
+void refuse_candidates(double candidates, std::uint32_t particles) {
+  throw RunError(
+      fmt::format("a cell of {} particles expects {:.3g} pairs in one step: too long a time step for these "
+                  "speeds, or too strong a force? shorten 'method.time-step'",
+                  particles, candidates));
+}
 
 /// Instantiated in one file per pair rule and dimension, kernel_*.cpp.
 template <int D, class Rule>

@@ -15,6 +15,8 @@ struct Pair {
   std::uint32_t first, second;
 };
 
+[[noreturn]] void refuse_candidates(double candidates, std::uint32_t particles);
+
 /// What changes from step to step.
 template <int D>
 struct CollisionStep {
@@ -29,6 +31,13 @@ struct CollisionStep {
   Tally* tally;
   std::uint64_t* bound_raised;  ///< collisions after which the bound on relative speeds had to rise
 };
+
+/// Throws RunError where a cell expects more than a million candidates for each of its particles, or a number that is none:
+/// the step is far too long for these speeds, and would take hours.
+inline void require_few(double candidates, std::uint32_t particles) {
+  if (!(candidates <= 1e6 * particles)) [[unlikely]]
+    refuse_candidates(candidates, particles);
+}
 
 /// Collides the particles of a range of cells. One implementation per pair rule, chosen once at assembly.
 template <int D>

@@ -95,7 +95,9 @@ void ContactPartners<D>::collide_cell(const CollisionStep<D>& step, std::uint32_
   double square_diagonal = around.box.square_diagonal();
   double bound = around.pairs * std::sqrt(square_diagonal);
   const std::uint32_t count = step.offsets[cell + 1] - step.offsets[cell];
-  std::uint64_t left = whole(directions_per_cross_section(D) * step.coefficient * count * bound, random);
+  const double expected = directions_per_cross_section(D) * step.coefficient * count * bound;
+  require_few(expected, count);
+  std::uint64_t left = whole(expected, random);
   double transfer = 0;
   for (; left > 0; --left) {
     ++step.tally->candidates;
