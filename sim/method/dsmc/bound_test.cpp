@@ -3,6 +3,7 @@
 #include "sim/method/dsmc/collision_kernel.hpp"
 #include "sim/method/dsmc/test_cells.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -116,13 +117,33 @@ TEST(Bound, EquilibriumKeepsItsRateThroughAStep) {
   EXPECT_LT(mean.standard_error, 0.003 * mean_of_correlated(rate).value);
 }
 
-/// Speeds for which a step would take hours, or that are no numbers, end the run with a reason.
+/// Speeds for which a step would take hours end the run with a reason.
 TEST(Bound, RefusesMoreCandidatesThanAStepCanTake) {
   const auto stage = make_collision_stage<2>({});
-  for (const double speed : {1e12, 1e200, std::numeric_limits<double>::infinity(), std::nan("")}) {
+  for (const double speed : {1e12, 1e200, std::numeric_limits<double>::infinity()}) {
     TestCells<2> cells;
     cells.add_cell({{0, 0}, {speed, 0}, {0, 1}});
     EXPECT_THROW(cells.collide(*stage, 0.05, 0), RunError) << speed;
+  }
+}
+
+/// The box around the velocities keeps a NaN of the first particle and passes over that of a later one, which then
+/// collides with nobody. The next motion refuses it (MotionStage.StopsAtWhatIsNotANumber).
+TEST(Bound, NoNumberKeepsACellBusyOrSpreads) {
+  const auto stage = make_collision_stage<2>({});
+  for (const std::size_t place : {0u, 1u, 2u}) {
+    TestCells<2> cells;
+    std::vector<Vector<2>> velocities{{0, 0}, {1, 0}, {0, 1}};
+    velocities[place].x() = std::nan("");
+    cells.add_cell(velocities);
+    if (place == 0) {
+      EXPECT_THROW(cells.collide(*stage, 0.05, 0), RunError);
+    } else {
+      for (std::uint64_t stream = 0; stream < 100; ++stream) cells.collide(*stage, 0.05, stream);
+      EXPECT_LT(cells.tally.candidates, 1000u);
+    }
+    const auto broken = [](const Phase<2>& particle) { return !particle.velocity.allFinite(); };
+    EXPECT_EQ(std::ranges::count_if(cells.particles, broken), 1) << place;
   }
 }
 
