@@ -31,7 +31,7 @@ double drive_speed(const Scene& scene, double edge) {
 template <int D>
 TimeStepper<D>::TimeStepper(const Setup<D>& setup) {
   const Scene& scene = setup.scene;
-  const TimeStep& step = scene.method.time_step;
+  const TimeStep& step = setup.time_step;
   fixed_ = step.fixed.value_or(0);
   if (step.fixed) return;
   if (step.cell_fraction) {
