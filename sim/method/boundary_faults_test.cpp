@@ -63,7 +63,7 @@ TEST(BoundaryFaults, ChangeWhatTheySay) {
 
 TEST(BoundaryFaults, NoneChangesNothing) {
   EXPECT_EQ(with_scene_fault(driven_scene(), ""), driven_scene());
-  EXPECT_EQ(boundary_faults().size() + exchange_faults().size(), 10u);
+  EXPECT_EQ(boundary_faults().size() + exchange_faults().size() + step_faults().size(), 12u);
 }
 
 }  // namespace
