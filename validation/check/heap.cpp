@@ -17,6 +17,9 @@ namespace sandglass {
 namespace {
 constexpr std::size_t kFolds = 10;
 
+/// Diameters that l/r may have: a grain, over a probability to stop of a tenth.
+constexpr double kMostKink = 10;
+
 using Replicas = std::span<const std::size_t>;
 
 HeapProfile all_replicas(const Subject& subject, std::size_t sample) {
@@ -101,13 +104,13 @@ Evidence slope_evidence(const Subject& subject, const law::Arguments& numbers) {
   return evidence;
 }
 
-Evidence head_evidence(const Subject& subject, const law::Arguments&) {
+Evidence head_evidence(const Subject& subject, const law::Arguments& numbers) {
   const std::size_t sample = last_sample(subject);
   const Mean flatter = jackknife(subject.replicas(), [&](Replicas replicas) {
     const HeapProfile profile = heap_profile(subject, sample, replicas);
     return straight_slope(profile) - heap_slope(profile, 0, kStraightFrom * profile.half_base());
   });
-  Evidence evidence = at_least(flatter, 0);
+  Evidence evidence = at_least(flatter, numbers.at("least"));
   evidence.summary = "slope of the straight part less that of the head";
   evidence.figures.push_back(surface_figure(subject, sample));
   return evidence;
@@ -140,7 +143,7 @@ Evidence edge_evidence(const Subject& subject, const law::Arguments&) {
 
 /// At the end of pouring: the law is that of a heap that grows. Each replica by itself: a mean of triangles whose feet
 /// differ has a tail of its own. A kink is of the size of a grain and no probability above one, so that l/r is a diameter
-/// or more. Where no shape fits: not a number.
+/// or more; of a layer without sides it is as long as the layer. Where no shape fits: not a number.
 Evidence tail_evidence(const Subject& subject, const law::Arguments&) {
   const std::size_t sample = heap_sample_at(subject, end_of_pouring(subject));
   std::vector<double> kinks, advantages;
@@ -152,16 +155,19 @@ Evidence tail_evidence(const Subject& subject, const law::Arguments&) {
       advantages.push_back(shapes.advantage.value);
     }
     const Mean advantage = mean_of_independent(advantages);
-    evidence = at_least(mean_of_independent(kinks), subject.species().diameter);
+    evidence = from_mean(mean_of_independent(kinks), subject.species().diameter);
     evidence.summary = fmt::format(
         "l/r of each replica at the end of pouring; mean square residual of a triangle less that of (3.17), "
         "of "
         "points left out of the fit: {:.3f} ± {:.3f}",
         advantage.value, advantage.standard_error);
   } catch (const InputError& error) {
-    evidence = at_least({std::numeric_limits<double>::quiet_NaN()}, subject.species().diameter);
+    evidence.value = std::numeric_limits<double>::quiet_NaN();
     evidence.summary = std::string("no shape fits: ") + error.what();
   }
+  evidence.kind = Expectation::between;
+  evidence.expected = subject.species().diameter;
+  evidence.upper = kMostKink * subject.species().diameter;
   evidence.units = "length";
   evidence.figures.push_back(tail_figure(subject, sample));
   return evidence;
@@ -197,19 +203,20 @@ CheckInfo heap_check(std::string name, std::string summary, std::string law,
 
 std::vector<CheckInfo> heap_checks() {
   using law::Parameter;
-  return {heap_check("heap-slope", "slope of the straight part of a heap at the end", "",
-                     {Parameter{"least", "1", "slope below which it is no heap", 0, 10}}, is_heap,
-                     slope_evidence),
-          heap_check("heap-head", "slope of the straight part of a heap less that of its head", "", {},
-                     is_heap, head_evidence),
-          heap_check("heap-edge", "slope of a heap on a table near the edge over that further in", "", {},
-                     is_heap_on_table, edge_evidence),
-          heap_check("heap-tail", "logarithmic tail of a heap against a triangle", "heap-surface", {},
-                     is_closed_heap, tail_evidence),
-          heap_check("heap-spike", "width of a heap at half of its height, in cells", "",
-                     {Parameter{"cell", "length", "edge of a collision cell", 1e-12, 1e12},
-                      Parameter{"least", "1", "cells", 0, 1e6}, Parameter{"most", "1", "cells", 0, 1e6}},
-                     is_heap, spike_evidence)};
+  return {
+      heap_check("heap-slope", "slope of the straight part of a heap at the end", "",
+                 {Parameter{"least", "1", "slope below which it is no heap", 0, 10}}, is_heap,
+                 slope_evidence),
+      heap_check("heap-head", "slope of the straight part of a heap less that of its head", "",
+                 {Parameter{"least", "1", "by which the head is flatter", 0, 10}}, is_heap, head_evidence),
+      heap_check("heap-edge", "slope of a heap on a table near the edge over that further in", "", {},
+                 is_heap_on_table, edge_evidence),
+      heap_check("heap-tail", "logarithmic tail of a heap against a triangle", "heap-surface", {},
+                 is_closed_heap, tail_evidence),
+      heap_check("heap-spike", "width of a heap at half of its height, in cells", "",
+                 {Parameter{"cell", "length", "edge of a collision cell", 1e-12, 1e12},
+                  Parameter{"least", "1", "cells", 0, 1e6}, Parameter{"most", "1", "cells", 0, 1e6}},
+                 is_heap, spike_evidence)};
 }
 
 }  // namespace sandglass
