@@ -5,7 +5,7 @@
 #include "sim/program/progress_line.hpp"
 #include "sim/program/signals.hpp"
 #include "sim/program/table.hpp"
-#include "sim/record/outputs.hpp"
+#include "sim/record/output_files.hpp"
 #include "sim/record/record.hpp"
 
 #include <filesystem>
@@ -50,14 +50,15 @@ std::string summary(const Record& record, const std::string& path) {
 }
 
 /// Claims a file of the run and says which leftovers of killed runs went.
-void claim(Outputs& outputs, const Options& options, Output output) {
+void claim(OutputFiles& outputs, const Options& options, OutputFile output) {
   if (options.overwrite) output.existing = Existing::replace;
   for (const std::string& part : outputs.claim(output))
     if (!options.quiet) fmt::print(stderr, "removed what a killed run left over: {}\n", part);
 }
 
 /// The record, the checkpoints beside it and the trace of events. What is resumed is replaced by what follows it.
-void claim_files(Outputs& outputs, const Options& options, const Scene& scene, const std::string& record) {
+void claim_files(OutputFiles& outputs, const Options& options, const Scene& scene,
+                 const std::string& record) {
   const bool resumes = options.command == "resume";
   const std::string checkpoint = checkpoint_path(record);
   claim(outputs, options,
@@ -86,7 +87,7 @@ void finish(const Options& options, const Record& record, const std::string& pat
 template <class Work>
 int run_to_record(const Options& options, const Scene& scene, const std::string& path, Work work) {
   const bool replaces_input = checkpoint_path(path) == options.subject;
-  Outputs outputs(replaces_input ? std::vector<std::string>{} : std::vector{options.subject});
+  OutputFiles outputs(replaces_input ? std::vector<std::string>{} : std::vector{options.subject});
   claim_files(outputs, options, scene, path);
   ProgressLine line(options.quiet);
   RunOptions run_options;

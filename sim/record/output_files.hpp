@@ -8,7 +8,7 @@
 namespace sandglass {
 
 /// A file that a command is going to write.
-struct Output {
+struct OutputFile {
   std::string path;
   Existing existing = Existing::keep;
   std::string remedy;  ///< for a file that is to be kept, after "exists already; "
@@ -18,16 +18,16 @@ struct Output {
 /// cannot be written: never an input of the command, another of its outputs, or a file that is no regular one; never
 /// one that exists, unless asked for; and none that another running command has claimed. A claim is the lock of a file
 /// `<path>.lock`, which goes with it and which the system gives back when a process is killed.
-class Outputs {
+class OutputFiles {
  public:
-  explicit Outputs(std::vector<std::string> inputs) : inputs_(std::move(inputs)) {}
-  ~Outputs();
-  Outputs(const Outputs&) = delete;
-  Outputs& operator=(const Outputs&) = delete;
+  explicit OutputFiles(std::vector<std::string> inputs) : inputs_(std::move(inputs)) {}
+  ~OutputFiles();
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles& operator=(const OutputFiles&) = delete;
 
   /// Returns the leftovers of commands that were killed while they wrote this file, which are removed.
   /// Throws InputError naming the path and the remedy; RunError where the system refuses.
-  std::vector<std::string> claim(const Output& output);
+  std::vector<std::string> claim(const OutputFile& output);
 
  private:
   struct Lock {

@@ -1,4 +1,4 @@
-#include "sim/record/outputs.hpp"
+#include "sim/record/output_files.hpp"
 
 #include "sim/base/error.hpp"
 #include "sim/record/scratch.hpp"
@@ -22,7 +22,7 @@ std::string read_file(const std::string& path) {
 }
 
 /// What a command is told when it claims `output`; "" when it may write.
-std::string refusal_by(Outputs& outputs, const Output& output) {
+std::string refusal_by(OutputFiles& outputs, const OutputFile& output) {
   try {
     outputs.claim(output);
   } catch (const InputError& error) {
@@ -31,12 +31,12 @@ std::string refusal_by(Outputs& outputs, const Output& output) {
   return "";
 }
 
-std::string refusal(const Output& output, const std::vector<std::string>& inputs = {}) {
-  Outputs outputs(inputs);
+std::string refusal(const OutputFile& output, const std::vector<std::string>& inputs = {}) {
+  OutputFiles outputs(inputs);
   return refusal_by(outputs, output);
 }
 
-TEST(Outputs, KeepWhatExistsUnlessAsked) {
+TEST(OutputFiles, KeepWhatExistsUnlessAsked) {
   const ScratchFolder folder;
   const std::string path = folder / "gas.h5";
   EXPECT_EQ(refusal({path}), "");
@@ -48,7 +48,7 @@ TEST(Outputs, KeepWhatExistsUnlessAsked) {
   EXPECT_THAT(folder.files(), ElementsAre("gas.h5")) << "claims and probes leave nothing behind";
 }
 
-TEST(Outputs, AreNoFoldersDevicesInputsOrEachOther) {
+TEST(OutputFiles, AreNoFoldersDevicesInputsOrEachOther) {
   const ScratchFolder folder;
   const std::string scene = folder / "gas.toml", link = folder / "link.toml";
   write_file(scene);
@@ -58,16 +58,16 @@ TEST(Outputs, AreNoFoldersDevicesInputsOrEachOther) {
   EXPECT_THAT(refusal({"/dev/null", Existing::replace}), HasSubstr("no regular file"));
   for (const std::string& path : {scene, link, folder / "./gas.toml"})
     EXPECT_THAT(refusal({path, Existing::replace}, {scene}), HasSubstr("is what the command reads")) << path;
-  Outputs outputs({});
+  OutputFiles outputs({});
   outputs.claim({folder / "new.h5"});
   EXPECT_THAT(refusal_by(outputs, {folder / "./new.h5"}), HasSubstr("written twice"));
 }
 
-TEST(Outputs, OfOneCommandAreNotThoseOfAnother) {
+TEST(OutputFiles, OfOneCommandAreNotThoseOfAnother) {
   const ScratchFolder folder;
   const std::string path = folder / "gas.h5";
   {
-    Outputs first({});
+    OutputFiles first({});
     first.claim({path});
     EXPECT_THAT(refusal({path}), HasSubstr("another command is writing it"));
     EXPECT_EQ(refusal({folder / "other.h5"}), "");
@@ -77,12 +77,12 @@ TEST(Outputs, OfOneCommandAreNotThoseOfAnother) {
   EXPECT_EQ(refusal({path}), "");
 }
 
-TEST(Outputs, RemoveWhatKilledCommandsLeftOver) {
+TEST(OutputFiles, RemoveWhatKilledCommandsLeftOver) {
   const ScratchFolder folder;
   const std::string path = folder / "gas.h5";
   for (const char* kept : {"gas.h5.part-", "gas.h5.part-7a", "other.h5.part-7"}) write_file(folder / kept);
   write_file(path + ".part-7");
-  Outputs outputs({});
+  OutputFiles outputs({});
   EXPECT_THAT(outputs.claim({path}), ElementsAre(path + ".part-7"));
   EXPECT_FALSE(std::filesystem::exists(path + ".part-7"));
   EXPECT_EQ(folder.files().size(), 4u) << "three that are no parts of it, and the lock";

@@ -1,4 +1,4 @@
-#include "sim/record/outputs.hpp"
+#include "sim/record/output_files.hpp"
 
 #include "sim/base/error.hpp"
 
@@ -62,14 +62,14 @@ bool is_still_there(int descriptor, const std::string& path) {
 
 }  // namespace
 
-Outputs::~Outputs() {
+OutputFiles::~OutputFiles() {
   for (const Lock& lock : locks_) {
     ::unlink(lock.path.c_str());
     ::close(lock.descriptor);
   }
 }
 
-std::vector<std::string> Outputs::claim(const Output& output) {
+std::vector<std::string> OutputFiles::claim(const OutputFile& output) {
   const std::string& path = output.path;
   refuse_wrong_kind(path);
   refuse_own_files(path);
@@ -83,7 +83,7 @@ std::vector<std::string> Outputs::claim(const Output& output) {
   return leftovers;
 }
 
-void Outputs::refuse_own_files(const std::string& path) const {
+void OutputFiles::refuse_own_files(const std::string& path) const {
   const auto same = [&path](const std::string& other) { return is_same_file(path, other); };
   if (std::ranges::any_of(inputs_, same))
     throw InputError(fmt::format("{}: is what the command reads; name another file to write", path));
@@ -92,7 +92,7 @@ void Outputs::refuse_own_files(const std::string& path) const {
 }
 
 /// On disks that know no locks (some network disks) every claim is granted.
-void Outputs::lock(const std::string& path) {
+void OutputFiles::lock(const std::string& path) {
   const std::string name = path + ".lock";
   for (;;) {
     const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
