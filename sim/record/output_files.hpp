@@ -11,7 +11,7 @@ namespace sandglass {
 struct OutputFile {
   std::string path;
   Existing existing = Existing::keep;
-  std::string remedy;  ///< for a file that is to be kept, after "exists already; "
+  std::string remedy = "";  ///< for a file that is to be kept, after "exists already; "
 };
 
 /// The files that one command writes, claimed before its work starts, so that hours of it do not end at a file that
