@@ -15,9 +15,6 @@
 namespace sandglass {
 
 namespace {
-/// The straight part of a side, in parts of half the base: neither the head nor the tail.
-constexpr double kFrom = 0.2, kTo = 0.7;
-
 constexpr std::size_t kFolds = 10;
 
 using Replicas = std::span<const std::size_t>;
@@ -33,12 +30,13 @@ std::size_t last_sample(const Subject& subject) { return subject.series(0, "free
 /// 0 where the particles lie in less than a layer on the floor.
 double straight_slope(const HeapProfile& profile) {
   if (profile.is_bare()) return 0;
-  return heap_slope(profile, kFrom * profile.half_base(), kTo * profile.half_base());
+  return heap_slope(profile, kStraightFrom * profile.half_base(), kStraightTo * profile.half_base());
 }
 
 double straight_slope(const HeapProfile& profile, int side) {
   if (profile.is_bare()) return 0;
-  return heap_side_slope(profile, side, kFrom * profile.half_base(), kTo * profile.half_base());
+  return heap_side_slope(profile, side, kStraightFrom * profile.half_base(),
+                         kStraightTo * profile.half_base());
 }
 
 Figure surface_figure(const Subject& subject, std::size_t sample) {
@@ -87,7 +85,7 @@ Evidence head_evidence(const Subject& subject, const law::Arguments& numbers) {
   const std::size_t sample = last_sample(subject);
   const Mean flatter = jackknife(subject.replicas(), [&](Replicas replicas) {
     const HeapProfile profile = heap_profile(subject, sample, replicas);
-    return straight_slope(profile) - heap_slope(profile, 0, kFrom * profile.half_base());
+    return straight_slope(profile) - heap_slope(profile, 0, kStraightFrom * profile.half_base());
   });
   Evidence evidence = at_least(flatter, numbers.at("least"));
   evidence.summary = "slope of the straight part less that of the head";
@@ -120,44 +118,41 @@ Evidence edge_evidence(const Subject& subject, const law::Arguments&) {
   return evidence;
 }
 
-struct Points {
-  std::vector<double> x, h;
-};
-
-/// Where the surface stands a diameter or more above the floor, without the head, of which the law does not speak.
-Points below_head(const HeapProfile& profile, double diameter) {
-  const double head = kFrom * profile.half_base();
-  Points points;
-  for (std::size_t i = 0; i < profile.x.size(); ++i)
-    if (profile.h[i] >= diameter && std::abs(profile.x[i]) >= head)
-      points.x.push_back(profile.x[i]), points.h.push_back(profile.h[i]);
-  return points;
+/// Of the mean surface, from folds of its points.
+ShapeComparison shapes_of(const HeapProfile& profile) {
+  const HeapPoints points = below_head(profile);
+  // Up to four stretches a fold, of two points at least: the more, the less one fold differs from the next.
+  const std::size_t stretches = std::clamp<std::size_t>(points.x.size() / (2 * kFolds), 1, 4);
+  return compare_shapes(points.x, points.h, kFolds, stretches);
 }
 
-/// A surface that neither shape fits has no comparison: not a number.
+/// At the end of pouring: the law is that of a heap that grows. Folds of one surface share its noise, so that the error
+/// comes from the replicas. A surface that neither shape fits has no comparison: not a number.
 Evidence tail_evidence(const Subject& subject, const law::Arguments&) {
-  const std::size_t sample = last_sample(subject);
-  const HeapProfile profile = all_replicas(subject, sample);
-  const Points points = below_head(profile, subject.species().diameter);
+  const std::size_t sample = heap_sample_at(subject, end_of_pouring(subject));
   Evidence evidence;
   evidence.kind = Expectation::at_least;
   evidence.units = "length^2";
   evidence.figures.push_back(surface_figure(subject, sample));
   try {
-    // Up to four stretches a fold, of two points at least: the more, the less one fold differs from the next.
-    const std::size_t stretches = std::clamp<std::size_t>(points.x.size() / (2 * kFolds), 1, 4);
-    const ShapeComparison shapes = compare_shapes(points.x, points.h, kFolds, stretches);
-    evidence.value = shapes.advantage.value;
-    evidence.standard_error = shapes.advantage.standard_error;
-    evidence.degrees_of_freedom = shapes.advantage.degrees_of_freedom;
-    const HeapFit& kinked = shapes.kinked;
+    const Mean advantage = jackknife(subject.replicas(), [&](Replicas replicas) {
+      return shapes_of(heap_profile(subject, sample, replicas)).advantage.value;
+    });
+    const Mean kinks = jackknife(subject.replicas(), [&](Replicas replicas) {
+      const HeapPoints points = below_head(heap_profile(subject, sample, replicas));
+      return fit_kinked_heap(points.x, points.h).heap.kink_length;
+    });
+    const HeapProfile profile = all_replicas(subject, sample);
+    const ShapeComparison shapes = shapes_of(profile);
+    evidence.value = advantage.value;
+    evidence.standard_error = advantage.standard_error;
+    evidence.degrees_of_freedom = advantage.degrees_of_freedom;
     evidence.summary = fmt::format(
-        "mean square residual of a triangle less that of (3.17), of points left out of the fit; slope {:.3f} "
-        "± {:.3f}, "
-        "l/r {:.2f} ± {:.2f}, height {:.1f}",
-        kinked.heap.slope, kinked.error.slope, kinked.heap.kink_length, kinked.error.kink_length,
-        kinked.heap.height);
-    add_line(evidence.figures.back(), profile, "(3.17)", kinked.heap, kinked.centre);
+        "mean square residual of a triangle less that of (3.17), of points left out of the fit, at the end "
+        "of "
+        "pouring; l/r {:.2f} ± {:.2f}, slope {:.3f}, height {:.1f}",
+        kinks.value, kinks.standard_error, shapes.kinked.heap.slope, shapes.kinked.heap.height);
+    add_line(evidence.figures.back(), profile, "(3.17)", shapes.kinked.heap, shapes.kinked.centre);
     add_line(evidence.figures.back(), profile, "triangle", shapes.triangle.heap, shapes.triangle.centre);
   } catch (const InputError& error) {
     evidence.value = std::numeric_limits<double>::quiet_NaN();
