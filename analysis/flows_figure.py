@@ -12,7 +12,7 @@ TOP, HEAD, ROW, GAP, LINE = 0.66, 0.42, 0.6, 0.05, 0.19
 INK, SOFT = "#1d2328", "#555555"
 TITLE = "Which method suits which flow"
 HOW_TO_READ = ("Colour and word: our checks. “3/4”: checks that decide and hold. “×2”: cost of the same flow, plain dsmc "
-               "being 1. Last line: what {} says.")
+               "being 1. Last line: what {} says, in the same signs.")
 
 
 def _heads(sheet, flows, left, width):
@@ -52,7 +52,8 @@ def _legend(sheet, y, present):
 def draw_flows(table, stem):
     """Saves the rows of the source's methods; other variants stand on the page alone."""
     cells = [table.cells[method.name, flow.name] for method in table.methods for flow in table.flows]
-    present = [name for name in STANDINGS if any(cell.standing == name for cell in cells)]
+    shown = {cell.standing for cell in cells} | {cell.says.standing for cell in cells if cell.says}
+    present = [name for name in STANDINGS if name in shown]
     height = TOP + HEAD + ROW * len(table.methods) + 0.15 + LINE * len(present) + 0.05
     picture = pyplot.figure(figsize=(WIDTH, height))
     panel = picture.add_axes([0, 0, 1, 1], xlim=(0, WIDTH), ylim=(height, 0))
