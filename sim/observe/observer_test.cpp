@@ -75,7 +75,8 @@ const char* const kWords[] = {
     "energy",           "temperature",    "momentum",          "moments",          "velocity-histogram",
     "collisions",       "pressure",       "crossings",         "fields",           "shear-mode",
     "impact-parameter", "overlap",        "rotational-energy", "pair-correlation", "structure-factor",
-    "pair-velocity",    "centre-of-mass", "free-surface",      "kinetic-stress",   "wall-force"};
+    "pair-velocity",    "centre-of-mass", "free-surface",      "kinetic-stress",   "wall-force",
+    "species-density",  "energy-flux"};
 
 template <int D>
 void expect_shape_as_declared() {
