@@ -45,6 +45,7 @@ struct ObserverSpec {
   std::size_t bins = 64;
   std::vector<std::size_t> grid;
   int periods = 1;           ///< shear-mode
+  std::size_t species = 1;   ///< how many the scene has
   std::vector<int> bounded;  ///< axes of the box that are not periodic
 };
 
