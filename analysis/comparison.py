@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import partial
 
-from analysis import clustering_figures, heap_figures, pipe_diagrams, pipe_figures
+from analysis import clustering_figures, heap_figures, pipe_figures
 from analysis.errors import InputError
 from analysis.record import REMEDY
 from analysis.words import slug
@@ -23,9 +23,6 @@ PICTURES = {   # case -> its pictures
     "clustering": clustering_figures.PICTURES,
     "heap": heap_figures.PICTURES,
     "pipe-flow": pipe_figures.PICTURES,
-}
-WHOLE = {   # case -> pictures over all of its points: `load` takes the case and the folder, None where too little was run
-    "pipe-flow": pipe_diagrams.DIAGRAMS,
 }
 
 
@@ -57,10 +54,4 @@ def plan(case, folder, figures):
                 name = slug("compare", case.name, point, picture.name)
                 comparisons.append(Comparison(name, picture.caption, point, picture.wide))
                 jobs.append(partial(_draw, picture, paths, figures / name))
-    for picture in WHOLE.get(case.name, []):
-        data = picture.load(case, folder)
-        if data is not None:
-            name = slug("compare", case.name, picture.name)
-            comparisons.append(Comparison(name, picture.caption, "all points", picture.wide))
-            jobs.append(partial(picture.draw, data, figures / name))
     return comparisons, jobs
