@@ -9,6 +9,7 @@ double mean_speed(int dimension, double thermal_speed) {
 }
 
 double thermal_speed(const Scene& scene) {
+  if (scene.initial.uniform_velocity) return *scene.initial.uniform_velocity / std::sqrt(3);
   return std::sqrt(scene.initial.temperature / scene.species.front().mass);
 }
 

@@ -15,6 +15,7 @@
 #include "sim/observe/rotation.hpp"
 #include "sim/observe/species_density.hpp"
 #include "sim/observe/structure_factor.hpp"
+#include "sim/observe/two_fluids.hpp"
 #include "sim/observe/wall_force.hpp"
 
 #include <functional>
@@ -88,6 +89,11 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
       {"species-density",
        [](Spec spec, std::size_t) { return list<D>(make_unique<SpeciesDensity<D>>(spec)); }},
       {"fields", [](Spec spec, std::size_t) { return list<D>(make_unique<Fields<D>>(spec)); }},
+      {"two-fluids",
+       [](Spec spec, std::size_t) {
+         return list<D>(make_unique<FluidDensity<D>>(spec), make_unique<FluidCentre<D>>(),
+                        make_unique<MixingIndex<D>>(spec));
+       }},
       {"shear-mode",
        [](Spec spec, std::size_t) {
          return list<D>(make_unique<ShearMode<D>>(spec.periods, false),

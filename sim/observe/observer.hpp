@@ -24,7 +24,7 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual Quantity quantity() const = 0;
-  virtual std::vector<double> measure(const View<D>& view) = 0;
+  virtual std::vector<double> measure(const View<D>& view) = 0;  ///< empty: no sample (a mean of no particles)
   /// False for what is measured over the time since the previous sample.
   virtual bool measures_at_start() const { return true; }
   /// A count since time zero: its estimate is a rate.

@@ -35,6 +35,7 @@ std::vector<CheckInfo> join_families() {
                              column_checks,
                              pipe_flow_checks,
                              pipe_wave_checks,
+                             pipe_transport_checks,
                              diffuse_wall_checks,
                              sedimentation_rest_checks,
                              sedimentation_fall_checks,

@@ -28,6 +28,7 @@ std::vector<CheckInfo> drag_checks();
 std::vector<CheckInfo> column_checks();
 std::vector<CheckInfo> pipe_flow_checks();
 std::vector<CheckInfo> pipe_wave_checks();
+std::vector<CheckInfo> pipe_transport_checks();
 std::vector<CheckInfo> diffuse_wall_checks();
 std::vector<CheckInfo> sedimentation_rest_checks();
 std::vector<CheckInfo> sedimentation_fall_checks();

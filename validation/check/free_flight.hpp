@@ -19,8 +19,6 @@ bool is_weightless(const Scene& scene);
 /// The axis along which gravity points to the low side; -1 when there is none or another force.
 int vertical_axis(const Scene& scene);
 bool is_periodic_along(const Scene& scene, std::size_t axis);
-/// The axis along which gravity points to the low side; -1 when there is none or another force.
-int vertical_axis(const Scene& scene);
 /// What [[wall]] says of the side, or a plain mirror.
 Wall wall_at(const Scene& scene, std::size_t axis, bool high);
 /// The wall stands still and is thermal.

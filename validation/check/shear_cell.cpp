@@ -119,6 +119,12 @@ ShearCell::Bulk ShearCell::bulk(Some replicas, double share) const {
   return bulk;
 }
 
+double ShearCell::wall_rate() const {
+  const Scene& scene = subject_.scene();
+  const auto velocity = [&](bool high) { return wall_at(scene, kAcross, high).velocity[0]; };
+  return (velocity(true) - velocity(false)) / (box_height_ - 2 * reach(scene));
+}
+
 law::Gas ShearCell::gas(double density, double temperature) const {
   law::Gas gas = subject_.gas(temperature);
   gas.fraction = density * law::particle_volume(gas);

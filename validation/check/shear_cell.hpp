@@ -24,6 +24,9 @@ class ShearCell {
   };
   /// Of the bins whose centres lie in the middle `share` of the height.
   Bulk bulk(Some replicas, double share) const;
+  /// Slope of a straight profile between the centres of particles at either wall. The walls of the scene move apart, so
+  /// it is never zero, whatever the gas does.
+  double wall_rate() const;
   double shear_stress(Some replicas) const { return average(shear_, replicas); }  ///< of both walls, positive
   double normal_stress(Some replicas) const { return average(normal_, replicas); }  ///< of both walls
   /// Work of both walls less the gain of energy, per time.

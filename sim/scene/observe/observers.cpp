@@ -68,7 +68,11 @@ const std::vector<ObserverKind>& observer_kinds() {
       {{"free-surface",
         "largest coordinate along an axis over each bin of the others: the surface of a heap"},
        {"axis", "grid"}},
-      {{"kinetic-stress", "kinetic part of the pressure tensor on a grid of bins"}, {"grid"}}};
+      {{"kinetic-stress", "kinetic part of the pressure tensor on a grid of bins"}, {"grid"}},
+      {{"two-fluids",
+        "density on a grid of bins and mean place of the first species and of all others, and their mixing "
+        "index"},
+       {"grid"}}};
   return list;
 }
 
