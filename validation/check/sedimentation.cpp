@@ -134,9 +134,14 @@ std::vector<double> Sedimentation::heights(std::size_t replica) const {
 double Sedimentation::capacity() const { return law::heat_capacity(column_, end_, particles_); }
 
 /// Up to 2/NC between the temperatures of a fixed energy and of a bath, and D - 1 momenta that stay zero: they are no
-/// degrees of freedom, but a temperature counts them.
+/// degrees of freedom, but a temperature counts them. A density that is off by delta(z) moves the mean of w = m g z/T by
+/// <w delta>, at most delta times the spread of w, and the temperature by that over C.
 double Sedimentation::mean_shift() const {
-  return (2 + (subject_.dimension() - 1) / 2.0) / capacity() + size_shift();
+  double variance = 0;
+  for (std::size_t i = 0; i < species(); ++i)
+    variance = std::max(variance, law::column_height_variance(part(i, end_)));
+  return (2 + (subject_.dimension() - 1) / 2.0) / capacity() +
+         size_shift() * std::sqrt(variance) * particles_ / capacity();
 }
 
 double Sedimentation::density_shift() const {
