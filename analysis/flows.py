@@ -142,9 +142,9 @@ def _cell(method, flow, folds, costs, made_for):
     return Cell("not run", says) if flow.name in flows else Cell("not made for it", says, reason=reason)
 
 
-def _costs(flow, case, methods):
+def _costs(flow, case, methods, plain):
     by_event = {method.name for method in methods if method.by_event}
-    return relative_costs(case.runs, flow.stand_in.get("dsmc", "dsmc"), by_event) if case else {}
+    return relative_costs(case.runs, flow.stand_in.get(plain, plain), by_event) if case else {}
 
 
 def flow_table(report, path=TABLE):
@@ -158,7 +158,7 @@ def flow_table(report, path=TABLE):
     others = [Method(name, name, "") for name in found if name not in {method.name for method in methods}]
     cells = {}
     for flow in flows:
-        costs = _costs(flow, cases.get(flow.case), methods)
+        costs = _costs(flow, cases.get(flow.case), methods, root.text("plain"))
         for method in methods + others:
             cells[method.name, flow.name] = _cell(method, flow, folds.get(flow.case, {}), costs, made_for)
     return FlowTable(root.text("source"), root.text("table"), flows, methods, others, cells)

@@ -1,13 +1,12 @@
 """Which figures a source has, what it says of them, and what draws ours: reference/source/<SOURCE>/figures.toml."""
 
 from dataclasses import dataclass
-from pathlib import Path
 
 from analysis.checked import read_toml
 from analysis.errors import InputError
 from analysis.source import bed, clustering, cooling, correlations, heap, pipe, shear
+from analysis.source.methods import FOLDER
 
-FOLDER = Path(__file__).parent.parent.parent / "reference" / "source"
 DRAWINGS = {"MUL": cooling.FIGURES | clustering.FIGURES | shear.FIGURES | pipe.FIGURES | heap.FIGURES
             | correlations.FIGURES | bed.FIGURES}
 

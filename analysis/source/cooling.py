@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from analysis.source.methods import OWN, PLAIN
 from analysis.source.panels import BLACK, finish, panels, shade
 from analysis.source.runs import Lacking, mean_error
 
@@ -35,15 +36,15 @@ def _draw_energies(panel, runs, label):
 
 
 def draw_dilute(case, stem):
-    runs = [run for run in case.choose("dilute-*", "hsmc")]
+    runs = [run for run in case.choose("dilute-*", OWN)]
     picture, [[panel]] = panels()
     _draw_energies(panel, sorted(runs, key=lambda run: run.species["restitution"]),
                    lambda run: f"r = {run.species['restitution']:g}")
-    finish(picture, "3.2", "Dilute gas, hsmc: Haff's law for every r", stem)
+    finish(picture, "3.2", f"Dilute gas, {OWN}: Haff's law for every r", stem)
 
 
 def draw_dense(case, stem):
-    runs = sorted(case.choose("crowded-*", "hsmc"), key=lambda run: run.fraction)
+    runs = sorted(case.choose("crowded-*", OWN), key=lambda run: run.fraction)
     picture, [[panel]] = panels()
     for index, run in enumerate(runs):
         series = run.series("energy")
@@ -61,7 +62,7 @@ def draw_moments(case, stem):
     try:
         runs = case.choose("moments-*")
     except Lacking:
-        runs = case.choose("dilute-*", "dsmc")
+        runs = case.choose("dilute-*", PLAIN)
     runs = sorted(runs, key=lambda run: run.species["restitution"])
     picture, [row] = panels(len(runs), width=3.4 * len(runs) + 1)
     for panel, run in zip(row, runs):

@@ -4,10 +4,9 @@ import numpy as np
 
 from analysis.clustering_panels import MANY, show_density, show_disks
 from analysis.impact import fitted, share_below
+from analysis.source.methods import EXACT, FITTED
 from analysis.source.panels import BLACK, band, finish, marks, middle, ordered, panels, shade, style
 from analysis.source.runs import Lacking, mean_error
-
-DRAWN = "event-driven"
 
 
 def gases(case, **wanted):
@@ -48,13 +47,13 @@ def draw_energies(case, stem):
     groups = gases(case)
     picture, rows = panels(2, (len(groups) + 1) // 2) if len(groups) > 1 else panels()
     for panel, (key, runs) in zip(rows.flat, groups.items()):
-        _draw_energy(panel, [run for run in runs if not run.variant.endswith("-pb")])
+        _draw_energy(panel, [run for run in runs if not run.variant.endswith(FITTED)])
         panel.set_title(_name(key))
     finish(picture, "3.34", "Energy per collision", stem)
 
 
 def draw_corrected(case, stem):
-    groups = {key: runs for key, runs in gases(case, r=0.85).items() if any(run.variant.endswith("-pb") for run in runs)}
+    groups = {key: runs for key, runs in gases(case, r=0.85).items() if any(run.variant.endswith(FITTED) for run in runs)}
     if not groups:
         raise Lacking("no run with fitted impact parameters")
     picture, [row] = panels(len(groups))
@@ -76,9 +75,9 @@ def _windows(run, width):
 
 
 def _contacts(case, **wanted):
-    found = {key: run for key, runs in gases(case, **wanted).items() for run in runs if run.variant == DRAWN}
+    found = {key: run for key, runs in gases(case, **wanted).items() for run in runs if run.variant == EXACT}
     if not found:
-        raise Lacking(f"no run of {DRAWN}")
+        raise Lacking(f"no run of {EXACT}")
     return found
 
 

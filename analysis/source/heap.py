@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from analysis.source.methods import OWN
 from analysis.source.panels import BLACK, band, finish, marks, panels, shade
 from analysis.source.runs import Lacking
 
@@ -18,11 +19,11 @@ def _speed(run):
 
 
 def _largest(case):
-    """The run of hsmc with most particles on a plane, dissipative but not completely."""
-    runs = [run for run in case.choose("*", "hsmc") if run.point not in ("box", "table")
+    """The run with most particles on a plane, dissipative but not completely."""
+    runs = [run for run in case.choose("*", OWN) if run.point not in ("box", "table")
             and 0.8 < run.species["restitution"] < 1 and SURFACE in run.record.series]
     if not runs:
-        raise Lacking("no heap of hsmc on a plane")
+        raise Lacking(f"no heap of {OWN} on a plane")
     return max(runs, key=_poured)
 
 
@@ -70,7 +71,7 @@ def draw_growth(case, stem):
 def draw_slopes(case, stem):
     rows = np.array(sorted((run.species["restitution"], item.value, item.stderr or 0.0)
                            for run, item in case.verdicts("heap-slope")
-                           if run.variant == "hsmc" and item.value is not None)).reshape(-1, 3)
+                           if run.variant == OWN and item.value is not None)).reshape(-1, 3)
     if len(set(rows[:, 0])) < 2:
         raise Lacking("slopes at one restitution: a curve needs two")
     picture, [[panel]] = panels()
@@ -80,7 +81,7 @@ def draw_slopes(case, stem):
 
 
 def draw_spikes(case, stem):
-    runs = [run for run in case.choose("*", "hsmc*") if run.species["restitution"] == 0]
+    runs = [run for run in case.choose("*", OWN + "*") if run.species["restitution"] == 0]
     if not runs:
         raise Lacking("no run with r = 0")
     picture, [row] = panels(len(runs))
@@ -125,8 +126,8 @@ def draw_tail(case, stem):
 
 
 def draw_boundaries(case, stem):
-    runs = [case.choose(point, "hsmc")[0] for point in ("plane", "box", "table")
-            if any(run.point == point and run.variant == "hsmc" for run in case.case.runs)]
+    runs = [case.choose(point, OWN)[0] for point in ("plane", "box", "table")
+            if any(run.point == point and run.variant == OWN for run in case.case.runs)]
     if len(runs) < 2:
         raise Lacking("one boundary of three")
     picture, [[panel]] = panels(width=7.2)
@@ -139,7 +140,7 @@ def draw_boundaries(case, stem):
 
 
 def draw_heads(case, stem):
-    poured = [run for run in case.choose("*", "hsmc")
+    poured = [run for run in case.choose("*", OWN)
               if _poured(run) and run.species["restitution"] > 0 and run.point not in ("box", "table")]
     runs = sorted({_speed(run): run for run in sorted(poured, key=_poured)}.values(), key=_speed)
     if len(runs) < 2:

@@ -3,8 +3,8 @@
 import numpy as np
 
 from analysis.plotting import COLOURS, MARKERS, headed, pyplot, save
+from analysis.source.methods import FITTED, METHODS
 
-METHODS = ["event-driven", "hsmc", "dsmc", "cba", "hsmc-pb", "dsmc-pb", "cba-pb", "dsmc-enskog"]
 BLACK = "#333333"
 
 
@@ -25,8 +25,8 @@ def finish(picture, number, title, stem):
 def style(variant):
     """Colour and line of a method, the same in all figures; fitted impact parameters are dashed."""
     index = METHODS.index(variant) if variant in METHODS else len(METHODS)
-    base = METHODS.index(variant.removesuffix("-pb")) if variant.removesuffix("-pb") in METHODS else index
-    return {"color": COLOURS[base % len(COLOURS)], "linestyle": "--" if variant.endswith("-pb") else "-"}
+    base = METHODS.index(variant.removesuffix(FITTED)) if variant.removesuffix(FITTED) in METHODS else index
+    return {"color": COLOURS[base % len(COLOURS)], "linestyle": "--" if variant.endswith(FITTED) else "-"}
 
 
 def ordered(runs):

@@ -3,6 +3,7 @@
 import numpy as np
 
 from analysis import pipe_figures as pictures
+from analysis.source.methods import OWN
 from analysis.source.panels import BLACK, finish, marks, panels, shade
 from analysis.source.runs import Lacking, mean_error
 
@@ -17,13 +18,13 @@ def _roughness(run):
 
 
 def _falling(case, **wanted):
-    """Runs of hsmc in the field of gravity with the wanted r, nu or p (None: any), one for each scene."""
+    """Runs of the source's own method in the field of gravity with the wanted r, nu or p (None: any), one for each scene."""
     of = {"r": lambda run: run.species["restitution"], "nu": _fraction, "p": _roughness}
-    found = [run for run in case.choose("*", "hsmc") if any(run.scene.get("forces", {}).get("gravity", []))]
+    found = [run for run in case.choose("*", OWN) if any(run.scene.get("forces", {}).get("gravity", []))]
     found = [run for run in found
              if all(abs(of[key](run) - value) < 1e-9 for key, value in wanted.items() if value is not None)]
     if not found:
-        raise Lacking("no hsmc run with " + ", ".join(f"{key} = {value}" for key, value in wanted.items()))
+        raise Lacking(f"no run of {OWN} with " + ", ".join(f"{key} = {value}" for key, value in wanted.items()))
     return found
 
 
