@@ -21,7 +21,7 @@ class MotionKernel final : public MotionStage<D> {
  private:
   void fly(const auto locator, ParticleStore<D>& store, std::size_t first, std::size_t last,
            const MotionStep& step) const {
-    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+    const Flight flight(surroundings_, store, step);
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();
@@ -44,7 +44,7 @@ class RefusableKernel final : public RefusableStage<D> {
   void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
                std::uint32_t* targets, Phase<D>* arrived) const override {
     with_locator<Flight>(store.cells(), [&](auto locator) {
-      const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+      const Flight flight(surroundings_, store, step);
       const auto particles = store.phases();
       for (std::size_t i = first; i < last; ++i) {
         arrived[i] = particles[i];
@@ -58,7 +58,7 @@ class RefusableKernel final : public RefusableStage<D> {
                         const std::uint8_t* refused, const Phase<D>* arrived) const override {
     Phase<D>* particles = store.phases().data();
     if constexpr (Counts) {
-      const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+      const Flight flight(surroundings_, store, step);
       for (std::size_t i = first; i < last; ++i)
         if (!refused[i]) flight.template fly<true>(particles[i], i);
     } else {
