@@ -19,6 +19,8 @@ std::vector<Law> falling_laws();         ///< free fall, collapse under gravity,
 std::vector<Law> vibrated_bed_laws();    ///< energy that a vibrating bottom gives
 std::vector<Law> fluctuation_laws();     ///< counts in a slice and their spectrum
 std::vector<Law> impact_laws();          ///< impact parameters that are not spread evenly
+std::vector<Law> rough_laws();           ///< cooling of particles with spin
+std::vector<Law> mixture_laws();         ///< several species
 std::vector<Law> uniform_shear_laws();   ///< a gas that is sheared, Bagnold
 
 }  // namespace sandglass::law
