@@ -15,7 +15,7 @@ double thermal_speed(const Scene& scene) {
 
 /// Relative speeds of a Maxwellian pair of reduced mass M: sqrt(pi T / 2 M) in two dimensions, sqrt(8 T / pi M) in three;
 /// Chapman & Cowling, ch. 5.
-double enskog_rate(const Scene& scene, double temperature) {
+double rate_of_points(const Scene& scene, double temperature) {
   const int dimension = scene.domain.dimension;
   const double count = static_cast<double>(particle_count(scene));
   double rate = 0;
@@ -27,7 +27,11 @@ double enskog_rate(const Scene& scene, double temperature) {
       rate +=
           number_density(scene, a) * static_cast<double>(particle_count(scene, b)) / count * section * speed;
     }
-  return contact_formula(dimension)(fraction(scene)).value * rate;
+  return rate;
+}
+
+double enskog_rate(const Scene& scene, double temperature) {
+  return contact_formula(scene.domain.dimension)(fraction(scene)).value * rate_of_points(scene, temperature);
 }
 
 }  // namespace sandglass

@@ -13,6 +13,7 @@
 #include "sim/observe/pair_correlation.hpp"
 #include "sim/observe/pair_velocity.hpp"
 #include "sim/observe/rotation.hpp"
+#include "sim/observe/species.hpp"
 #include "sim/observe/species_density.hpp"
 #include "sim/observe/structure_factor.hpp"
 #include "sim/observe/two_fluids.hpp"
@@ -66,6 +67,10 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
        [](Spec, std::size_t) {
          return list<D>(make_unique<RotationalEnergy<D>>(), make_unique<RotationalTemperature<D>>());
        }},
+      {"species",
+       [](Spec spec, std::size_t) {
+         return list<D>(make_unique<SpeciesTemperature<D>>(spec), make_unique<SpeciesCollisions<D>>(spec));
+       }},
       {"pair-correlation",
        [](Spec spec, std::size_t) { return list<D>(make_unique<PairCorrelation<D>>(spec)); }},
       {"structure-factor",
@@ -109,7 +114,8 @@ Needs needs_of(const ObserverSpec& spec) {
   return {.transfer = spec.what == "pressure",
           .plane = spec.what == "crossings",
           .walls = spec.what == "wall-force",
-          .impact_bins = spec.what == "impact-parameter" ? spec.bins : 0};
+          .impact_bins = spec.what == "impact-parameter" ? spec.bins : 0,
+          .by_species = spec.what == "species"};
 }
 
 std::vector<double> bin_edges(const ObserverSpec& spec) {

@@ -11,7 +11,7 @@ template <int D>
 class SpeciesDensity final : public Observer<D> {
  public:
   /// Reads `grid` and `species`.
-  explicit SpeciesDensity(const ObserverSpec& spec) : bins_{spec.grid}, species_(spec.species) {}
+  explicit SpeciesDensity(const ObserverSpec& spec) : bins_{spec.grid}, species_(spec.species.size()) {}
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
 

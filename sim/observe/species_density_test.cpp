@@ -11,7 +11,7 @@ namespace {
 ObserverSpec two_by_four(std::size_t species) {
   ObserverSpec spec;
   spec.grid = {2, 4};
-  spec.species = species;
+  spec.species.resize(species);
   return spec;
 }
 
