@@ -58,6 +58,11 @@ const std::vector<FaultEntry<SceneChange>>& boundary_faults() {
        [](Scene& scene) {
          change_surfaces(scene, [](SurfaceRule& surface) { surface.temperature *= 1.1; });
        }},
+      {{"high-walls-lossless", "walls at the high sides lose no energy of the normal motion"},
+       [](Scene& scene) {
+         for (Wall& wall : scene.walls)
+           if (wall.high) wall.surface.restitution = 1;
+       }},
       {{"wall-temperature-plus-20-percent", "thermal walls and obstacles at 1.2 times their temperature"},
        [](Scene& scene) {
          change_surfaces(scene, [](SurfaceRule& surface) { surface.temperature *= 1.2; });
@@ -90,10 +95,21 @@ const std::vector<FaultEntry<SceneChange>>& exchange_faults() {
   return all;
 }
 
-Scene with_boundary_fault(const Scene& scene, const std::string& name) {
+const std::vector<FaultEntry<SceneChange>>& step_faults() {
+  static const std::vector<FaultEntry<SceneChange>> all = {
+      {{"cell-fraction-times-5", "steps five times as long as their part of a cell allows"},
+       [](Scene& scene) {
+         if (auto& fraction = scene.method.time_step.cell_fraction) *fraction *= 5;
+       }},
+  };
+  return all;
+}
+
+Scene with_scene_fault(const Scene& scene, const std::string& name) {
   Scene faulty = scene;
   plant(boundary_faults(), name, faulty);
   plant(exchange_faults(), name, faulty);
+  plant(step_faults(), name, faulty);
   return faulty;
 }
 

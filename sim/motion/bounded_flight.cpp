@@ -196,9 +196,12 @@ void BoundedFlight<D>::turn_at(const Event& event, double time, Phase<D>& partic
   const ParticleAtWall<D> touching{particle.velocity, body.spin, body.mass, body.radius, body.inertia};
   if (event.kind == Event::Kind::wall) {
     const WallSurface<D>& wall = surfaces_.walls[event.index];
-    reflect<D>(wall.place.rule, wall.normal(), wall.velocity_at(time), touching, random);
+    const Vector<D> moving = wall.velocity_at(time);
+    const double energy = energy_beside(moving, touching);
+    reflect<D>(wall.place.rule, wall.normal(), moving, touching, random);
     if (impulses != nullptr)
-      impulses->add(side_of(wall), body.mass * (before - particle.velocity), wall.velocity_at(time));
+      impulses->add(side_of(wall), body.mass * (before - particle.velocity), moving,
+                    energy - energy_beside(moving, touching));
   } else {
     const ObstaclePlace<D>& obstacle = surfaces_.parameters.obstacles[event.index];
     reflect<D>(obstacle.rule, (particle.position - obstacle.centre).normalized(), Vector<D>::Zero(), touching,
@@ -210,7 +213,7 @@ template <int D>
 void BoundedFlight<D>::rest_on(std::size_t wall, double time, double left, double mass,
                                WallImpulses<D>& impulses) const {
   const WallSurface<D>& floor = surfaces_.walls[wall];
-  impulses.add(side_of(floor), mass * left * gravity_, floor.velocity_at(time));
+  impulses.add(side_of(floor), mass * left * gravity_, floor.velocity_at(time), 0);
 }
 
 template <int D>

@@ -111,8 +111,8 @@ class PlainFlight {
   /// A smooth elastic wall at rest takes twice the momentum that comes.
   static void give(const HitSpeeds& hits, int axis, double mass, WallImpulses<D>& impulses) {
     const Vector<D> still = Vector<D>::Zero(), along = 2 * mass * Vector<D>::Unit(axis);
-    if (hits.low > 0) impulses.add(WallImpulses<D>::side(axis, false), -hits.low * along, still);
-    if (hits.high > 0) impulses.add(WallImpulses<D>::side(axis, true), hits.high * along, still);
+    if (hits.low > 0) impulses.add(WallImpulses<D>::side(axis, false), -hits.low * along, still, 0);
+    if (hits.high > 0) impulses.add(WallImpulses<D>::side(axis, true), hits.high * along, still, 0);
   }
 
   /// Planes are normal to periodic axes: the passages are those of the unwrapped path.

@@ -85,7 +85,8 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
        [](Spec spec, std::size_t) {
          using Kind = typename WallForce<D>::Kind;
          return list<D>(make_unique<WallForce<D>>(spec, Kind::force),
-                        make_unique<WallForce<D>>(spec, Kind::power));
+                        make_unique<WallForce<D>>(spec, Kind::power),
+                        make_unique<WallForce<D>>(spec, Kind::heat));
        }},
       {"centre-of-mass", [](Spec spec, std::size_t) { return list<D>(make_unique<CentreOfMass<D>>(spec)); }},
       {"free-surface", [](Spec spec, std::size_t) { return list<D>(make_unique<FreeSurface<D>>(spec)); }},

@@ -40,7 +40,7 @@ double loss_per_collision(const Scene& scene) {
 template <int D>
 TimeStepper<D>::TimeStepper(const Setup<D>& setup) {
   const Scene& scene = setup.scene;
-  const TimeStep& step = scene.method.time_step;
+  const TimeStep& step = setup.time_step;
   fixed_ = step.fixed.value_or(0);
   if (step.fixed) return;
   if (step.cell_fraction) {

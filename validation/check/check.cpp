@@ -51,7 +51,8 @@ std::vector<CheckInfo> join_families() {
                              heap_checks,
                              heap_growth_checks,
                              mixture_checks,
-                             rough_checks})
+                             rough_checks,
+                             time_step_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }

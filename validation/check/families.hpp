@@ -45,6 +45,7 @@ std::vector<CheckInfo> heap_checks();
 std::vector<CheckInfo> heap_growth_checks();
 std::vector<CheckInfo> mixture_checks();
 std::vector<CheckInfo> rough_checks();
+std::vector<CheckInfo> time_step_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);

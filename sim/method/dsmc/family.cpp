@@ -25,7 +25,7 @@ class Builder final : public MethodBuilder<D> {
       : scene_(request.scene),
         parameters_(parameters_of<D>(scene_)),
         cells_(cells_of<D>(scene_, default_particles_per_cell(D, parameters_, density()))),
-        motion_(motion_of<D>(with_boundary_fault(scene_, request.fault))) {
+        motion_(motion_of<D>(with_scene_fault(scene_, request.fault))) {
     plant(planted_faults(), request.fault, parameters_, D);
     if (parameters_.partners == Partners::contact && parameters_.faults.any())
       throw InputError(
@@ -196,9 +196,9 @@ std::unique_ptr<MethodBuilder<D>> make_builder(const BuildRequest& request) {
 }  // namespace
 
 const FamilyBuilder& family() {
-  static const FamilyBuilder all{"dsmc",
-                                 names_of_faults(planted_faults(), boundary_faults(), exchange_faults()),
-                                 make_builder<2>, make_builder<3>};
+  static const FamilyBuilder all{
+      "dsmc", names_of_faults(planted_faults(), boundary_faults(), exchange_faults(), step_faults()),
+      make_builder<2>, make_builder<3>};
   return all;
 }
 

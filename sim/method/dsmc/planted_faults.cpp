@@ -82,6 +82,8 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](P p, int) { p.faults.heat_share = 0; }},
       {{"cell-colours-fixed", "checkerboard of full cells does not swap"},
        [](P p, int) { p.faults.colours_fixed = true; }},
+      {{"entry-probability-ignored", "every cell that is not full lets in whoever comes"},
+       [](P p, int) { p.excluded_volume.entry = {}; }},
       {{"room-updated", "room of cells updated as particles arrive"},
        [](P p, int) { p.faults.room_updated = true; }},
       {{"impact-coefficient-ignored", "impact parameters uniform whatever was fitted"},

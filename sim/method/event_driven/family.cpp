@@ -26,7 +26,7 @@ class Builder final : public MethodBuilder<D> {
  public:
   explicit Builder(const BuildRequest& request)
       : scene_(request.scene),
-        faulty_scene_(with_boundary_fault(scene_, request.fault)),
+        faulty_scene_(with_scene_fault(scene_, request.fault)),
         parameters_(parameters_of<D>(faulty_scene_)) {
     plant(planted_faults(), request.fault, parameters_);
     parameters_.measure_transfer = request.needs.transfer;

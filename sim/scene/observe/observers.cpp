@@ -65,7 +65,7 @@ const std::vector<ObserverKind>& observer_kinds() {
       {{"centre-of-mass", "position of the centre of mass along each axis that is not periodic"},
        {},
        ObserverSetting::bounded},
-      {{"wall-force", "force of the particles on each wall, and power that each wall gives them"},
+      {{"wall-force", "force of the particles on each wall, power that each wall gives them, heat that it takes"},
        {},
        ObserverSetting::bounded},
       {{"free-surface",
