@@ -45,7 +45,9 @@ std::vector<CheckInfo> join_families() {
                              vibrated_bed_flow_checks,
                              vibrated_bed_velocity_checks,
                              heap_checks,
-                             heap_growth_checks})
+                             heap_growth_checks,
+                             repulsion_checks,
+                             two_fluid_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }

@@ -39,6 +39,8 @@ std::vector<CheckInfo> vibrated_bed_flow_checks();
 std::vector<CheckInfo> vibrated_bed_velocity_checks();
 std::vector<CheckInfo> heap_checks();
 std::vector<CheckInfo> heap_growth_checks();
+std::vector<CheckInfo> repulsion_checks();
+std::vector<CheckInfo> two_fluid_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);

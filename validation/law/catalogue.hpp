@@ -20,5 +20,6 @@ std::vector<Law> vibrated_bed_laws();    ///< energy that a vibrating bottom giv
 std::vector<Law> fluctuation_laws();     ///< counts in a slice and their spectrum
 std::vector<Law> impact_laws();          ///< impact parameters that are not spread evenly
 std::vector<Law> uniform_shear_laws();   ///< a gas that is sheared, Bagnold
+std::vector<Law> mixing_laws();          ///< two particles that repel each other, and the leapfrog
 
 }  // namespace sandglass::law
