@@ -40,13 +40,4 @@ std::unique_ptr<MotionStage<D>> make_motion_stage(const MotionParameters<D>& par
   });
 }
 
-template <int D>
-std::unique_ptr<RefusableStage<D>> make_refusable_stage(const MotionParameters<D>& parameters,
-                                                        const Vector<D>& box) {
-  return choose_flight(parameters, box, []<class Flight, bool Counts>(const auto& surroundings) {
-    return std::unique_ptr<RefusableStage<D>>(
-        std::make_unique<RefusableKernel<Flight, Counts>>(surroundings));
-  });
-}
-
 }  // namespace sandglass::motion

@@ -6,12 +6,14 @@
 #include "sim/observe/collisions.hpp"
 #include "sim/observe/distribution.hpp"
 #include "sim/observe/energy.hpp"
+#include "sim/observe/energy_flux.hpp"
 #include "sim/observe/fields.hpp"
 #include "sim/observe/free_surface.hpp"
 #include "sim/observe/kinetic_stress.hpp"
 #include "sim/observe/pair_correlation.hpp"
 #include "sim/observe/pair_velocity.hpp"
 #include "sim/observe/rotation.hpp"
+#include "sim/observe/species_density.hpp"
 #include "sim/observe/structure_factor.hpp"
 #include "sim/observe/two_fluids.hpp"
 #include "sim/observe/wall_force.hpp"
@@ -83,6 +85,9 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
       {"centre-of-mass", [](Spec spec, std::size_t) { return list<D>(make_unique<CentreOfMass<D>>(spec)); }},
       {"free-surface", [](Spec spec, std::size_t) { return list<D>(make_unique<FreeSurface<D>>(spec)); }},
       {"kinetic-stress", [](Spec spec, std::size_t) { return list<D>(make_unique<KineticStress<D>>(spec)); }},
+      {"energy-flux", [](Spec spec, std::size_t) { return list<D>(make_unique<EnergyFlux<D>>(spec)); }},
+      {"species-density",
+       [](Spec spec, std::size_t) { return list<D>(make_unique<SpeciesDensity<D>>(spec)); }},
       {"fields", [](Spec spec, std::size_t) { return list<D>(make_unique<Fields<D>>(spec)); }},
       {"two-fluids",
        [](Spec spec, std::size_t) {

@@ -24,7 +24,7 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual Quantity quantity() const = 0;
-  virtual std::vector<double> measure(const View<D>& view) = 0;
+  virtual std::vector<double> measure(const View<D>& view) = 0;  ///< empty: no sample (a mean of no particles)
   /// False for what is measured over the time since the previous sample.
   virtual bool measures_at_start() const { return true; }
   /// A count since time zero: its estimate is a rate.
@@ -45,6 +45,7 @@ struct ObserverSpec {
   std::size_t bins = 64;
   std::vector<std::size_t> grid;
   int periods = 1;           ///< shear-mode
+  std::size_t species = 1;   ///< how many the scene has
   std::vector<int> bounded;  ///< axes of the box that are not periodic
 };
 

@@ -35,6 +35,7 @@ ObserverSpec spec_of(const Scene& scene, const Observe& observe) {
   spec.range = observe.range.value_or(spec.range);
   spec.bins = observe.bins;
   spec.grid.assign(observe.grid.begin(), observe.grid.end());
+  spec.species = scene.species.size();
   for (std::size_t axis = 0; axis < scene.domain.sides.size(); ++axis)
     if (scene.domain.sides[axis][0] != Side::periodic) spec.bounded.push_back(static_cast<int>(axis));
   if (scene.initial.shear_wave) spec.periods = scene.initial.shear_wave->periods;

@@ -24,7 +24,7 @@ Record cell(double restitution, const std::string& preset = "dsmc") {
       "[run]\nduration = { time = 100.0 }\n[domain]\ndimension = 2\nsize = [100.0, 200.0]\n"
       "sides = { y = \"specular\" }\n[[species]]\narea-fraction = 0.01\nrestitution = " +
       std::to_string(restitution) + "\n[method]\npreset = \"" + preset +
-      "\"\ntime-step = 1.0\n"
+      "\"\ntime-step = 1.0\n[initial]\npositions = \"lattice\"\n"
       "[[wall]]\nside = \"y-low\"\nrule = \"bounce-back\"\nvelocity = [-0.5, 0.0]\n"
       "[[wall]]\nside = \"y-high\"\nrule = \"bounce-back\"\nvelocity = [0.5, 0.0]\n";
   record.replicas.resize(8);
@@ -92,9 +92,25 @@ TEST(Bagnold, UsesTheRateOfTheMiddle) {
 }
 
 TEST(Bagnold, SeesACurvedProfile) {
-  EXPECT_NEAR(value("shear-profile", {}), 1, 0.004);
-  const Flow curved{.velocity = [](double y) { return std::sin(2.2 * (y / kHeight - 0.5)); }};
-  EXPECT_GT(value("shear-profile", curved), 1.05);
+  const double straight = 2 * kWallSpeed / kHeight;
+  EXPECT_NEAR(value("shear-profile", {.velocity = [&](double y) { return straight * y - kWallSpeed; }}), 1,
+              0.004);
+  EXPECT_NEAR(value("shear-profile", {}), 0.9, 0.004);
+  const Flow rigid_middle{.velocity = [](double y) { return 4 * std::pow(y / kHeight - 0.5, 3); }};
+  EXPECT_LT(value("shear-profile", rigid_middle), 0.1);
+}
+
+TEST(Bagnold, AGasThatWallsDoNotMoveHasNoSlope) {
+  const Flow still{.velocity = [](double) { return 0.0; }};
+  EXPECT_EQ(value("shear-profile", still), 0);
+}
+
+/// Centres of hard disks stay half a diameter away from the walls.
+TEST(Bagnold, HardDisksShearBetweenTheirOwnWalls) {
+  Record record = flow_of({.velocity = [](double y) { return (y - kHeight / 2) / (kHeight - 1); }});
+  record.scene = cell(0.9, "event-driven").scene;
+  EXPECT_NEAR(run_check(find_check("shear-profile"), record, {{{"settle-time", 1.0}}, 0, 0, ""}).value, 1,
+              0.004);
 }
 
 /// Dilute DSMC has no contact value, and the anisotropy of the flow adds 3 S:S/32: here 2%.

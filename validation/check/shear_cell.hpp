@@ -9,6 +9,9 @@ namespace sandglass {
 
 bool is_shear_cell(const Scene& scene);
 
+/// Density times velocity along x in each bin across y, averaged over the samples from a time on.
+std::vector<double> momentum_along(const Subject& subject, std::size_t replica, double from);
+
 /// What a set of replicas shows on average from a time on.
 class ShearCell {
  public:
@@ -21,6 +24,9 @@ class ShearCell {
   };
   /// Of the bins whose centres lie in the middle `share` of the height.
   Bulk bulk(Some replicas, double share) const;
+  /// Slope of a straight profile between the centres of particles at either wall. The walls of the scene move apart, so
+  /// it is never zero, whatever the gas does.
+  double wall_rate() const;
   double shear_stress(Some replicas) const { return average(shear_, replicas); }  ///< of both walls, positive
   double normal_stress(Some replicas) const { return average(normal_, replicas); }  ///< of both walls
   /// Work of both walls less the gain of energy, per time.

@@ -137,10 +137,6 @@ void Dsmc<D>::collide_and_move(const motion::MotionStep& motion, const Collision
 template <int D>
 void Dsmc<D>::collide_and_enter(const motion::MotionStep& motion, const CollisionStep<D>& collisions,
                                 const StreamKey& key) {
-  if (excluded_->in_order()) {
-    collisions_->collide(collisions, 0, store_.cells().size());
-    return excluded_->advance_in_order(store_, motion);
-  }
   excluded_->begin_moves(store_.offsets(), key);
   collide_and(collisions, [&](std::uint32_t first, std::uint32_t last) {
     excluded_->advance(store_, first, last, motion);

@@ -109,6 +109,7 @@ class Builder final : public MethodBuilder<D> {
 
   /// Two warnings never advise opposite things: cells as wide as a mean free path or wider get more particles by weight.
   void warn(Plan& plan) const {
+    if (parameters_.excluded_volume.any()) return warn_of_full_cells(plan);
     const bool wide = plan.cell_size_in_mean_free_paths > 1;
     if (const double deficit = expected_pair_deficit(D, parameters_, density(), plan.particles_per_cell);
         deficit > 0.01)
@@ -125,15 +126,34 @@ class Builder final : public MethodBuilder<D> {
           fmt::format("cells are {:.2g} mean free paths wide: transport is smeared over more than a free "
                       "path; lower 'method.cell-size'",
                       plan.cell_size_in_mean_free_paths));
-    if (plan.collisions_per_particle_and_step > 0.5)
-      plan.warnings.push_back(
-          fmt::format("{:.2g} collisions per particle and step: moving and colliding no longer decouple; "
-                      "shorten 'method.time-step'",
-                      plan.collisions_per_particle_and_step));
+    if (plan.collisions_per_particle_and_step > 0.5) warn_of_long_steps(plan);
     if (plan.particles_per_cell < 5)
       plan.warnings.push_back(fmt::format(
           "{:.2g} particles per cell: the same pairs meet again and again; {}lower 'method.weight'",
           plan.particles_per_cell, wide ? "" : "widen the cells or "));
+  }
+
+  /// The edge of a cell that keeps others out is a length of the model, not of the numerics: how many particles it holds is
+  /// no matter of choice, and advice to widen, narrow or fill it would change the answer.
+  void warn_of_full_cells(Plan& plan) const {
+    const double deficit = expected_pair_deficit(D, parameters_, density(), plan.particles_per_cell);
+    if (deficit > 0.01 || plan.cell_size_in_mean_free_paths > 1 || plan.particles_per_cell < 5)
+      plan.warnings.push_back(fmt::format(
+          "cells of {:.2g} particles, {:.2g} mean free paths wide, hold the excluded volume{}: results "
+          "depend "
+          "on their edge; compare two values of 'method.cell-size'",
+          plan.particles_per_cell, plan.cell_size_in_mean_free_paths,
+          deficit > 0.01
+              ? fmt::format(" and miss about {:.2g}% of the collisions outside full ones", 100 * deficit)
+              : ""));
+    if (plan.collisions_per_particle_and_step > 0.5) warn_of_long_steps(plan);
+  }
+
+  static void warn_of_long_steps(Plan& plan) {
+    plan.warnings.push_back(
+        fmt::format("{:.2g} collisions per particle and step: moving and colliding no longer decouple; "
+                    "shorten 'method.time-step'",
+                    plan.collisions_per_particle_and_step));
   }
 
   /// How to get more particles into a cell, or to do without.

@@ -39,6 +39,8 @@ const std::vector<ObserverKind>& observer_kinds() {
        {"axis", "position", "range", "bins"},
        ObserverSetting::plane},
       {{"fields", "number density, mean velocity and granular temperature on a grid of bins"}, {"grid"}},
+      {{"energy-flux", "flux of the kinetic energy that particles carry, on a grid of bins"}, {"grid"}},
+      {{"species-density", "number density of each species on a grid of bins"}, {"grid"}},
       {{"shear-mode", "amplitude of the velocity along x as a sine of y"}, {}},
       {{"rotational-energy", "rotational energy of all particles, and their rotational granular temperature"},
        {},
