@@ -5,11 +5,12 @@ from pathlib import Path
 
 from analysis.checked import read_toml
 from analysis.errors import InputError
-from analysis.source import bed, clustering, cooling, correlations, heap, pipe, shear
+from analysis.source import bed, clustering, cooling, correlations, heap, mixing, pipe, shear
 
 FOLDER = Path(__file__).parent.parent.parent / "reference" / "source"
 DRAWINGS = {"MUL": cooling.FIGURES | clustering.FIGURES | shear.FIGURES | pipe.FIGURES | heap.FIGURES
-            | correlations.FIGURES | bed.FIGURES}
+            | correlations.FIGURES | bed.FIGURES,
+            "GRE": mixing.FIGURES}
 
 
 @dataclass(frozen=True)

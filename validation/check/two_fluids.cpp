@@ -193,6 +193,21 @@ Mean change(const Subject& subject, const std::function<double(std::size_t, std:
                        [&](std::size_t replica) { return value(replica, to) - value(replica, from); });
 }
 
+Figure index_figure(const Subject& subject) {
+  Figure figure{"Mixing index", {"step", "1", false}, {"index", "1", false}, {}, {}};
+  Figure::Points points{"mean over the starts", {}, {}, {}, {}};
+  const Series& first = subject.series(0, "mixing-index");
+  for (std::size_t i = 0; i < first.step.size(); ++i) {
+    const Mean mean = over_replicas(
+        subject, [&](std::size_t replica) { return subject.series(replica, "mixing-index").value[i]; });
+    points.x.push_back(static_cast<double>(first.step[i]));
+    points.y.push_back(mean.value);
+    points.error.push_back(mean.standard_error);
+  }
+  figure.points.push_back(std::move(points));
+  return figure;
+}
+
 Evidence stays_mixed(const Subject& subject, const law::Arguments& numbers) {
   const Mean least = over_replicas(subject, [&](std::size_t replica) {
     const Series& series = subject.series(replica, "mixing-index");
@@ -206,6 +221,7 @@ Evidence stays_mixed(const Subject& subject, const law::Arguments& numbers) {
   });
   Evidence evidence = at_least(least, numbers.at("least"));
   evidence.summary = "mixing index, mean over the samples from step 69 on";
+  evidence.figures.push_back(index_figure(subject));
   return evidence;
 }
 

@@ -48,6 +48,19 @@ Law deflection_law() {
           }};
 }
 
+Law step_law() {
+  return {
+      .name = "repulsion-stable-step",
+      .summary = "longest stable step of the leapfrog where two particles of a mixing fluid turn head-on",
+      .source = std::string(kGreenspan) + "2/omega: Hockney & Eastwood 1981, 4-4-2",
+      .units = "time",
+      .validity = "head-on; linear about the turning point; faster than the barrier of a softened core: none",
+      .parameters = with_repulsion({both(), positive("speed", "length/time", "relative, far away")}),
+      .evaluate = [](const Arguments& given) {
+        return stable_step(repulsion_from(given), given.at("mass"), given.at("speed"));
+      }};
+}
+
 Law cage_law() {
   return {.name = "repulsion-cage-frequency",
           .summary = "angular frequency of a light particle between two heavy ones of a mixing fluid",
@@ -89,6 +102,8 @@ Law wall_law() {
 }
 }  // namespace
 
-std::vector<Law> mixing_laws() { return {deflection_law(), cage_law(), leapfrog_law(), wall_law()}; }
+std::vector<Law> mixing_laws() {
+  return {deflection_law(), step_law(), cage_law(), leapfrog_law(), wall_law()};
+}
 
 }  // namespace sandglass::law

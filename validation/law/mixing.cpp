@@ -67,6 +67,14 @@ double deflection_angle(const PairRepulsion& law, double mass, double speed, dou
   return M_PI - 2 * angle;
 }
 
+double stable_step(const PairRepulsion& law, double mass, double speed) {
+  const double turn = turning_distance(law, mass, speed, 0), width = 1e-5 * turn;
+  const double slope =
+      (repulsion_acceleration(law, mass, turn + width) - repulsion_acceleration(law, mass, turn - width)) /
+      (2 * width);
+  return 2 / std::sqrt(std::abs(slope));
+}
+
 double cage_frequency(const PairRepulsion& law, double mass, double distance) {
   return std::sqrt(2 * law.coefficient * mass * (law.exponent + law.core_exponent - 1) *
                    std::pow(law.diameter / distance, law.core_exponent) / std::pow(distance, law.exponent));

@@ -26,6 +26,11 @@ double turning_distance(const PairRepulsion& law, double mass, double speed, dou
 /// Angle by which their relative velocity turns (Landau & Lifshitz, Mechanics, section 18).
 double deflection_angle(const PairRepulsion& law, double mass, double speed, double impact);
 
+/// Longest stable step of the leapfrog, 2/omega, where a pair turns that comes head-on with this relative speed: omega^2 is
+/// the slope of the acceleration there, without softening (q - 1)(q - 2) v^2/(2 r^2) in the core, q = p + beta. A steeper
+/// core turns the pair farther out: the step is longest for a core of middling steepness.
+double stable_step(const PairRepulsion& law, double mass, double speed);
+
 /// Frequency of a light particle in the middle between two heavy ones of this mass that stand still, each at `distance`
 /// below the diameter, when nothing softens: omega^2 = 2 alpha m (p + beta - 1) (d/a)^beta / a^p.
 double cage_frequency(const PairRepulsion& law, double mass, double distance);

@@ -55,6 +55,18 @@ TEST(Mixing, DeflectionIsThatOfTheOrbit) {
   }
 }
 
+/// Deep in an unsoftened core the work is alpha M d^beta r^(2 - q)/(q - 2) but for that of the shell.
+TEST(Mixing, StableStepOfADeepCore) {
+  for (const double beta : {5.0, 10.0, 20.0}) {
+    const PairRepulsion law{1, 2, beta, 0, 20, 21};
+    const double mass = 20, speed = 200, q = 2 + beta;
+    const double turn = 20 * std::pow(2 * mass / ((q - 2) * speed * speed), 1 / (q - 2));
+    EXPECT_NEAR(turning_distance(law, mass, speed, 0), turn, 1e-3 * turn);
+    EXPECT_NEAR(stable_step(law, mass, speed), 2 * M_SQRT2 * turn / (speed * std::sqrt((q - 1) * (q - 2))),
+                2e-3 * turn / speed);
+  }
+}
+
 TEST(Mixing, CageFrequencyIsTheSlopeOfTheForce) {
   const double a = 10, width = 1e-4;
   const double slope =
