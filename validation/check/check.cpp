@@ -52,7 +52,9 @@ std::vector<CheckInfo> join_families() {
                              heap_growth_checks,
                              mixture_checks,
                              rough_checks,
-                             time_step_checks})
+                             time_step_checks,
+                             repulsion_checks,
+                             two_fluid_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }

@@ -46,6 +46,8 @@ std::vector<CheckInfo> heap_growth_checks();
 std::vector<CheckInfo> mixture_checks();
 std::vector<CheckInfo> rough_checks();
 std::vector<CheckInfo> time_step_checks();
+std::vector<CheckInfo> repulsion_checks();
+std::vector<CheckInfo> two_fluid_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);

@@ -24,5 +24,6 @@ std::vector<Law> diffuse_wall_laws();    ///< heat and shear between thermal wal
 std::vector<Law> rough_laws();           ///< cooling of particles with spin
 std::vector<Law> mixture_laws();         ///< several species
 std::vector<Law> uniform_shear_laws();   ///< a gas that is sheared, Bagnold
+std::vector<Law> mixing_laws();          ///< two particles that repel each other, and the leapfrog
 
 }  // namespace sandglass::law

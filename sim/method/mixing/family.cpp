@@ -86,7 +86,7 @@ class Builder final : public MethodBuilder<2> {
     if (parameters_.support) plan.columns.push_back("square");
     plan.bytes_per_particle = 2 * sizeof(Phase<2>) + sizeof(ParticleStore<2>::Place) + sizeof(Vector<2>) +
                               sizeof(double) + (parameters_.species.size() > 1 ? 2 : 0) +
-                              (parameters_.keep_ids ? 16 : 0) + (parameters_.support ? 72 : 0);
+                              (parameters_.keep_ids ? 16 : 0) + (parameters_.support ? 48 : 0);
     plan.feature("several species", parameters_.species.size() > 1);
     plan.feature("support of particles by those below", parameters_.support.has_value());
     plan.feature("cutoff of the repulsion", std::isfinite(parameters_.repulsion.cutoff));

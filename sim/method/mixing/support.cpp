@@ -31,18 +31,12 @@ std::size_t Support::column_of(double x) const {
   return static_cast<std::size_t>(std::clamp(column, 0.0, static_cast<double>(columns_ - 1)));
 }
 
+/// The row where its upper edge only begins holds none of it.
 Support::Square Support::square_of(const Vector<2>& position, std::uint32_t particle) const {
-  const double radius = 0.5 * parameters_.diameter;
-  const double low = std::max(0.0, position[1] - radius);
-  const double high = std::min(parameters_.box[1], position[1] + radius);
-  return {std::max(0.0, position[0] - radius),
-          std::min(parameters_.box[0], position[0] + radius),
-          low,
-          high,
-          position[1],
-          particle,
-          row_of(low),
-          row_of(high)};
+  const double high = high_edge(position[1]);
+  const std::uint32_t first = row_of(low_edge(position[1])), last = row_of(high);
+  const bool begins = last > first && !(high > last * parameters_.row_height());
+  return {position[0], position[1], particle, first, begins ? last - 1 : last};
 }
 
 void Support::prepare(std::span<const Phase<2>> particles) {
@@ -84,6 +78,7 @@ double Support::share(std::size_t particle) {
   return 1 - area / (strip.top * (strip.right - strip.left) + parameters_.smallest_length);
 }
 
+/// The strip lies within the box, so that walls need not cut the squares along x.
 double Support::area_below(std::size_t particle, const Strip& strip) {
   const double radius = 0.5 * parameters_.diameter, height = positions_[particle][1];
   const std::size_t last = column_of(strip.right + radius);
@@ -93,21 +88,18 @@ double Support::area_below(std::size_t particle, const Strip& strip) {
   for (std::size_t column = column_of(strip.left - radius); column <= last; ++column)
     for (std::uint32_t i = first_[column]; i < first_[column + 1]; ++i) {
       const Square& square = squares_[i];
-      if (square.height > height || square.low >= strip.top) break;
+      if (square.height > height || low_edge(square.height) >= strip.top) break;
       if (square.particle == particle && !parameters_.counts_itself) continue;
-      const double width = std::min(square.right, strip.right) - std::max(square.left, strip.left);
+      const double width = std::min(square.x + radius, strip.right) - std::max(square.x - radius, strip.left);
       if (!(width > 0)) continue;
-      area += width * (std::min(square.high, strip.top) - square.low);
+      area += width * (std::min(high_edge(square.height), strip.top) - low_edge(square.height));
       mark_rows(square, strip);
     }
   return filled_ < strip.rows ? 0 : area;
 }
 
-/// Where a square has its part in a row of the strip, the row is not empty.
 void Support::mark_rows(const Square& square, const Strip& strip) {
-  const double row_height = parameters_.row_height();
   for (std::uint32_t row = square.first_row; row <= square.last_row && row < strip.rows; ++row) {
-    if (!(std::min(square.high, (row + 1) * row_height) > std::max(square.low, row * row_height))) continue;
     if (marked_[row] == search_) continue;
     marked_[row] = search_;
     ++filled_;

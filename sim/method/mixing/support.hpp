@@ -3,6 +3,7 @@
 #include "sim/base/vector.hpp"
 #include "sim/space/phase.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -39,8 +40,8 @@ class Support {
 
  private:
   struct Square {
-    double left, right, low, high, height;
-    std::uint32_t particle, first_row, last_row;
+    double x, height;                             ///< of its centre
+    std::uint32_t particle, first_row, last_row;  ///< rows that it has a part in
   };
   struct Strip {
     double left, right, top;
@@ -54,6 +55,10 @@ class Support {
   /// Area of the squares in the strip that are not above the particle; nothing when a row is empty.
   double area_below(std::size_t particle, const Strip& strip);
   void mark_rows(const Square& square, const Strip& strip);
+  double low_edge(double height) const { return std::max(0.0, height - 0.5 * parameters_.diameter); }
+  double high_edge(double height) const {
+    return std::min(parameters_.box[1], height + 0.5 * parameters_.diameter);
+  }
 
   SupportParameters parameters_;
   std::size_t columns_;

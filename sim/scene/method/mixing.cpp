@@ -1,3 +1,5 @@
+#include "sim/scene/method/mixing.hpp"
+
 #include "sim/scene/method/family.hpp"
 #include "sim/scene/text/bounds.hpp"
 #include "sim/scene/words.hpp"
@@ -8,6 +10,10 @@
 #include <fmt/format.h>
 
 namespace sandglass {
+
+const MixingOptions* repulsion_in(const Scene& scene) {
+  return std::get_if<MixingOptions>(&scene.method.options);
+}
 
 namespace {
 const std::string here = "with the method 'mixing' ";
