@@ -1,4 +1,4 @@
-"""python3 -m analysis report|table FOLDER, python3 -m analysis impact RECORD"""
+"""python3 -m analysis report|table FOLDER, source-figures SOURCE FOLDER, impact RECORD"""
 
 import argparse
 import sys
@@ -17,6 +17,9 @@ def _arguments():
         command = commands.add_parser(name, help=text)
         command.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
         command.add_argument("--claims", type=Path, default=LEDGER, help="ledger of claims (TOML)")
+    source = commands.add_parser("source-figures", help="draw the figures of a source, ours beside its words")
+    source.add_argument("source", help="MUL: Müller 2001, GRE: Greenspan 1972")
+    source.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
     impact = commands.add_parser("impact", help="print c(tau) of an event-driven record as lines of a scene")
     impact.add_argument("record", type=Path, help="with the observer 'impact-parameter'")
     impact.add_argument("--window", type=float, default=10.0, help="collisions per particle in each fit")
@@ -30,6 +33,11 @@ def main():
         if arguments.command == "impact":
             from analysis.impact import print_coefficient
             print_coefficient(arguments.record, arguments.window)
+            return 0
+        if arguments.command == "source-figures":
+            from analysis.source.build import source_figures
+            page, drawn = source_figures(arguments.source, load_report(arguments.folder), arguments.folder)
+            print(f"{sum(bool(item.picture) for item in drawn)} of {len(drawn)} figures: {page}")
             return 0
         report = load_report(arguments.folder, arguments.claims)
         if arguments.command == "table":

@@ -9,6 +9,8 @@ from analysis import comparison
 from analysis.equations import draw_equation
 from analysis.exports import write_csv, write_junit
 from analysis.figures import draw_evidence
+from analysis.flows import flow_table
+from analysis.flows_figure import draw_flows
 from analysis.grid import grid
 from analysis.matrix_figure import draw_matrix
 from analysis.pages import write_pages
@@ -31,7 +33,8 @@ class Pictures:
 def _plan(report, folder, figures):
     """(names of pictures, jobs that draw them)."""
     pictures = Pictures()
-    jobs = [partial(draw_matrix, grid(report), f"{headline(report)}.", figures / "matrix")]
+    jobs = [partial(draw_matrix, grid(report), f"{headline(report)}.", figures / "matrix"),
+            partial(draw_flows, flow_table(report), figures / "flows")]
     for case in report.cases:
         for item in case.evidence:
             names = [f"{slug(*item.verdict.key)}.{number}" for number in range(1, len(item.figures) + 1)]

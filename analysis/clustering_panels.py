@@ -40,14 +40,14 @@ def shown_times(time):
     return [time[0]] + [late[np.argmin(np.abs(np.log(late / each)))] for each in wanted]
 
 
-def _disks(panel, position):
+def show_disks(panel, position):
     size = np.ones(len(position))
     panel.add_collection(EllipseCollection(size, size, 0 * size, units="xy", offsets=position,
                                            transOffset=panel.transData, facecolor="#1b3a57",
                                            linewidth=0, rasterized=True))
 
 
-def _density(panel, position, edges):
+def show_density(panel, position, edges):
     cells = [round(edge / CELL) for edge in edges]
     counts, *_ = np.histogram2d(*position.T, bins=cells, range=[(0, edge) for edge in edges])
     fraction = counts * np.pi / 4 / np.prod(np.array(edges) / cells)
@@ -67,7 +67,7 @@ def draw_frames(runs, stem):
         for panel, time in zip(row, times):
             position = run.position[np.argmin(np.abs(run.time - time))]
             position = position[np.isfinite(position[:, 0])]
-            (_density(panel, position, run.edges) if len(position) > MANY else _disks(panel, position))
+            (show_density(panel, position, run.edges) if len(position) > MANY else show_disks(panel, position))
             panel.set(xlim=(0, run.edges[0]), ylim=(0, run.edges[1]), aspect="equal", xticks=[], yticks=[])
             panel.spines[["top", "right"]].set_visible(True)
         row[0].set_ylabel(name)

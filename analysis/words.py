@@ -60,6 +60,11 @@ def ratio(share):
     return number(share, 2) if share >= 10 else f"{share:.2f}" if share else "0"
 
 
+def factor(ratio):
+    """How many times as much: '×1.3', '×0.042', '×12'."""
+    return f"×{number(ratio, 2)}"
+
+
 def expectation(item):
     """What a check expects of its value: '1.001', '≤ 0.3' where only one side is wrong, or '0.5 to 2'."""
     return EXPECTATIONS[item.kind].format(number(item.expected, 6), number(item.upper, 6))

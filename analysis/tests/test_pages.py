@@ -29,7 +29,8 @@ def pages(folder):
 
 
 def test_all_pages_are_written(built):
-    assert {page.name for page in built[1].glob("*.html")} == {"index.html", "precision.html", "mutants.html"}
+    assert {page.name for page in built[1].glob("*.html")} == {"index.html", "flows.html", "precision.html",
+                                                                "mutants.html"}
     assert len(list(built[1].glob("case/*.html"))) == len(built[0].cases)
 
 

@@ -15,7 +15,6 @@ struct CellEntries {
 
 /// Free flight over one step where moves into cells may be refused, in one pass. A refused particle keeps place,
 /// velocity and cell, and gets no gravity; a place that an offset has taken out of the cell is moved back to its edge.
-/// The slow twin is RefusableMotion.
 template <int D>
 class EntryStage {
  public:

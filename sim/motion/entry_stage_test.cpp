@@ -1,6 +1,5 @@
 #include "sim/motion/entry_stage.hpp"
 
-#include "sim/motion/refusable_motion.hpp"
 #include "sim/motion/stream_index.hpp"
 #include "sim/motion/test_flight.hpp"
 
@@ -9,30 +8,47 @@
 
 #include <gtest/gtest.h>
 
-// The flight in one pass against that in two, whose rule is told the same.
+// Moves that may be refused, against a slow twin and against the motion that refuses none.
 
 namespace sandglass::motion {
 namespace {
 
 template <int D>
-class SameEntries final : public EntryRule<D> {
- public:
-  explicit SameEntries(const CellEntries& entries) : entries_(entries) {}
-  void decide(const Proposals<D>& moves) override {
-    for (std::uint32_t cell = 0; cell < moves.cells.size(); ++cell)
-      for (std::uint32_t i = moves.offsets[cell]; i < moves.offsets[cell + 1]; ++i) {
-        const std::uint32_t to = moves.targets[i];
-        if (to == moves.cells.size() || (to == cell && !entries_.within_too)) continue;
-        const double drawn = Random(entries_.key, stream_index(cell, i - moves.offsets[cell])).uniform();
-        moves.refused[i] = entries_.full[to] != 0 || (to != cell && drawn >= entries_.probability[to]);
-      }
-    refused = static_cast<std::uint64_t>(std::ranges::count(moves.refused, 1));
-  }
+struct Moved {
+  std::vector<Phase<D>> particles;
   std::uint64_t refused = 0;
-
- private:
-  CellEntries entries_;
 };
+
+/// The slow twin: all fly, who should not have is put back, and each cell gets a list.
+template <int D>
+Moved<D> moved_by_hand(const ParticleStore<D>& store, const MotionStage<D>& motion, const MotionStep& step,
+                       const CellEntries& entries) {
+  ParticleStore<D> flown = store_of<D>({store.phases().begin(), store.phases().end()}, store.cells());
+  advance(motion, flown, step);
+  Moved<D> moved;
+  std::vector<std::vector<Phase<D>>> lists(store.cells().size() + 1);
+  for (std::uint32_t cell = 0; cell < store.cells().size(); ++cell)
+    for (std::uint32_t i = store.offsets()[cell]; i < store.offsets()[cell + 1]; ++i) {
+      const std::uint32_t to = flown.places()[i].cell;
+      const double drawn = Random(entries.key, stream_index(cell, i - store.offsets()[cell])).uniform();
+      const bool asks = to != store.removed() && (to != cell || entries.within_too);
+      if (!asks || (entries.full[to] == 0 && (to == cell || drawn < entries.probability[to]))) {
+        lists[to].push_back(flown.phases()[i]);
+        continue;
+      }
+      ++moved.refused;
+      lists[cell].push_back(store.phases()[i]);
+      store.cells().put_into(cell, lists[cell].back().position);
+    }
+  lists.pop_back();  // who left the box
+  for (const auto& list : lists) moved.particles.insert(moved.particles.end(), list.begin(), list.end());
+  return moved;
+}
+
+template <int D>
+bool same(const Phase<D>& a, const Phase<D>& b) {
+  return a.position == b.position && a.velocity == b.velocity;
+}
 
 template <int D>
 MotionParameters<D> surroundings(int which) {
@@ -45,12 +61,12 @@ MotionParameters<D> surroundings(int which) {
 }
 
 template <int D>
-void expect_like_two_passes(int which, const LatticeOfCells<D>& lattice, bool within_too) {
+void expect_like_twin(int which, const LatticeOfCells<D>& lattice, bool within_too) {
   const auto parameters = surroundings<D>(which);
   const std::uint32_t cells = lattice.size();
-  auto one = scattered<D>(2, 0, 16 * cells, lattice), two = scattered<D>(2, 0, 16 * cells, lattice);
+  auto store = scattered<D>(2, 0, 16 * cells, lattice);
   const auto stage = make_entry_stage<D>(parameters, box<D>());
-  RefusableMotion<D> passes(parameters, box<D>());
+  const auto motion = make_motion_stage<D>(parameters, box<D>());
   std::uint64_t all = 0;
   for (std::uint64_t step = 0; step < 10; ++step) {
     std::vector<std::uint8_t> full(cells + 1);
@@ -61,29 +77,23 @@ void expect_like_two_passes(int which, const LatticeOfCells<D>& lattice, bool wi
     }
     const CellEntries entries{full.data(), probability.data(), wall_key(100 + step), within_too};
     const MotionStep now{0.2, 0, wall_key(step)};
-    SameEntries<D> rule(entries);
-    passes.advance(two, now, rule);
-    one.begin_step();
+    const Moved<D> expected = moved_by_hand(store, *motion, now, entries);
+    store.begin_step();
     std::uint64_t refused = 0;
     for (std::uint32_t first = 0; first < cells; first += 7)
-      refused += stage->advance(one, first, std::min(first + 7, cells), now, entries);
-    one.sort();
-    two.sort();
-    ASSERT_EQ(refused, rule.refused);
-    ASSERT_EQ(one.size(), two.size());
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      ASSERT_EQ(one.phases()[i].position, two.phases()[i].position) << "step " << step;
-      ASSERT_EQ(one.phases()[i].velocity, two.phases()[i].velocity);
-    }
+      refused += stage->advance(store, first, std::min(first + 7, cells), now, entries);
+    store.sort();
+    ASSERT_EQ(refused, expected.refused);
+    ASSERT_TRUE(std::ranges::equal(store.phases(), expected.particles, same<D>)) << "step " << step;
     all += refused;
   }
   EXPECT_GT(all, 300U);
 }
 
-TEST(EntryStage, MovesLikeTheFlightInTwoPasses) {
+TEST(EntryStage, MovesLikeItsTwin) {
   for (int which = 0; which < 4; ++which) {
-    expect_like_two_passes<2>(which, five_cells<2>(), false);
-    expect_like_two_passes<3>(which, five_cells<3>(), false);
+    expect_like_twin<2>(which, five_cells<2>(), false);
+    expect_like_twin<3>(which, five_cells<3>(), false);
   }
 }
 
@@ -94,9 +104,56 @@ TEST(EntryStage, KnowsEveryLattice) {
     auto cubes = LatticeOfCells<3>::shifted(five_cells<3>(), {around, true, true});
     squares.shift({0.3, -0.4});
     cubes.shift({-0.2, 0.1, 0.45});
-    expect_like_two_passes<2>(which, squares, true);
-    expect_like_two_passes<3>(which, cubes, true);
-    expect_like_two_passes<2>(which, LatticeOfCells<2>::diagonal(five_cells<2>(), {around, true}), false);
+    expect_like_twin<2>(which, squares, true);
+    expect_like_twin<3>(which, cubes, true);
+    expect_like_twin<2>(which, LatticeOfCells<2>::diagonal(five_cells<2>(), {around, true}), false);
+  }
+}
+
+/// One step of all particles through planes and past walls that count; every cell takes in all or nobody.
+template <int D>
+ParticleStore<D> counted_step(MotionParameters<D> parameters, std::vector<Plane>& planes,
+                              WallImpulses<D>& impulses, bool closed) {
+  parameters.planes = &planes;
+  parameters.impulses = &impulses;
+  auto store = scattered<D>(3);
+  const std::vector<std::uint8_t> full(store.cells().size() + 1, closed);
+  store.begin_step();
+  make_entry_stage<D>(parameters, box<D>())
+      ->advance(store, 0, store.cells().size(), {0.5, 0, wall_key(1)}, {full.data(), nullptr, {}, closed});
+  store.sort();
+  return store;
+}
+
+template <int D>
+void expect_counts(int which) {
+  std::vector<Plane> planes{{1, 0.8, {-5, 0, 5}}}, free = planes, none = planes;
+  WallImpulses<D> of_moved, of_free, of_refused;
+  const auto moved = counted_step<D>(surroundings<D>(which), planes, of_moved, false);
+  auto parameters = surroundings<D>(which);
+  parameters.planes = &free;
+  parameters.impulses = &of_free;
+  auto store = scattered<D>(3);
+  const std::vector<Phase<D>> before(store.phases().begin(), store.phases().end());
+  advance(*make_motion_stage<D>(parameters, box<D>()), store, {0.5, 0, wall_key(1)});
+  store.sort();
+  EXPECT_TRUE(std::ranges::equal(moved.phases(), store.phases(), same<D>));
+  EXPECT_GT(planes[0].up(), 100);
+  EXPECT_EQ(planes[0].up(), free[0].up());
+  EXPECT_EQ(planes[0].down(), free[0].down());
+  EXPECT_GT(of_moved.impulse(1).norm(), 10);
+  EXPECT_EQ(of_moved.impulse(1), of_free.impulse(1));
+  const auto refused = counted_step<D>(surroundings<D>(which), none, of_refused, true);
+  EXPECT_TRUE(std::ranges::equal(refused.phases(), before, same<D>));
+  EXPECT_EQ(none[0].up() + none[0].down(), 0);
+  EXPECT_EQ(of_refused.impulse(1), (Vector<D>::Zero()));
+}
+
+/// Who is refused keeps all that it has, and nothing counts it.
+TEST(EntryStage, CountsMovesThatHappen) {
+  for (const int which : {1, 2}) {
+    expect_counts<2>(which);
+    expect_counts<3>(which);
   }
 }
 

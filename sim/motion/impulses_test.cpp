@@ -1,4 +1,3 @@
-#include "sim/motion/refusable_motion.hpp"
 #include "sim/motion/test_flight.hpp"
 
 #include <gtest/gtest.h>
@@ -185,19 +184,6 @@ TEST(Impulses, OfABallAtRestAreItsWeight) {
     EXPECT_NEAR(floor[1], -0.7 * (0.7 * 40 + store.phases()[0].velocity[1]), 1e-10) << restitution;
     EXPECT_EQ(floor[0], 0);
   }
-}
-
-TEST(Impulses, OfAProposedMoveAreNotCounted) {
-  struct RefuseAll final : EntryRule<2> {
-    void decide(const Proposals<2>& proposals) override { std::ranges::fill(proposals.refused, 1); }
-  } rule;
-  MotionParameters<2> parameters = room<2>(3, 1);
-  WallImpulses<2> impulses;
-  parameters.impulses = &impulses;
-  auto store = scattered<2>(3);
-  RefusableMotion<2>(parameters, box<2>()).advance(store, {0.5}, rule);
-  EXPECT_EQ(taken(impulses), (Vector<2>::Zero()));
-  EXPECT_EQ(impulses.impulse(0), (Vector<2>::Zero()));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ class MotionKernel final : public MotionStage<D> {
  private:
   void fly(const auto locator, ParticleStore<D>& store, std::size_t first, std::size_t last,
            const MotionStep& step) const {
-    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+    const Flight flight(surroundings_, store, step);
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();
@@ -32,42 +32,6 @@ class MotionKernel final : public MotionStage<D> {
     }
   }
 
-  typename Flight::Surroundings surroundings_;
-};
-
-template <class Flight, bool Counts, int D = Flight::kDimension>
-class RefusableKernel final : public RefusableStage<D> {
- public:
-  explicit RefusableKernel(typename Flight::Surroundings surroundings)
-      : surroundings_(std::move(surroundings)) {}
-
-  void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
-               std::uint32_t* targets, Phase<D>* arrived) const override {
-    with_locator<Flight>(store.cells(), [&](auto locator) {
-      const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
-      const auto particles = store.phases();
-      for (std::size_t i = first; i < last; ++i) {
-        arrived[i] = particles[i];
-        targets[i] = locator.cell_of(flight.template fly<false>(arrived[i], i));
-      }
-    });
-  }
-
-  /// Flies again only to count: who rests on a floor may bounce a hundred times in a step.
-  void advance_accepted(ParticleStore<D>& store, std::size_t first, std::size_t last, const MotionStep& step,
-                        const std::uint8_t* refused, const Phase<D>* arrived) const override {
-    Phase<D>* particles = store.phases().data();
-    if constexpr (Counts) {
-      const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
-      for (std::size_t i = first; i < last; ++i)
-        if (!refused[i]) flight.template fly<true>(particles[i], i);
-    } else {
-      for (std::size_t i = first; i < last; ++i)
-        if (!refused[i]) particles[i] = arrived[i];
-    }
-  }
-
- private:
   typename Flight::Surroundings surroundings_;
 };
 

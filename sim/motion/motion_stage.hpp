@@ -17,36 +17,14 @@ class MotionStage {
                        const MotionStep& step) const = 0;
 };
 
-/// The same flight in two passes, so that moves can be refused in between. Either pass takes its particles in any order.
-template <int D>
-class RefusableStage {
- public:
-  virtual ~RefusableStage() = default;
-  /// Writes for particles [first, last) the cell where each would arrive and its state there; changes nothing else. One
-  /// more state must stand behind the last, for registers read past its end.
-  virtual void propose(const ParticleStore<D>& store, std::size_t first, std::size_t last,
-                       const MotionStep& step, std::uint32_t* targets, Phase<D>* arrived) const = 0;
-  /// Advances the particles of [first, last) that are not refused, as proposed.
-  virtual void advance_accepted(ParticleStore<D>& store, std::size_t first, std::size_t last,
-                                const MotionStep& step, const std::uint8_t* refused,
-                                const Phase<D>* arrived) const = 0;
-};
-
 /// The box begins at the origin. Throws InputError for surroundings that make no sense together.
 template <int D>
 std::unique_ptr<MotionStage<D>> make_motion_stage(const MotionParameters<D>& parameters,
                                                   const Vector<D>& box);
-template <int D>
-std::unique_ptr<RefusableStage<D>> make_refusable_stage(const MotionParameters<D>& parameters,
-                                                        const Vector<D>& box);
 
 extern template std::unique_ptr<MotionStage<2>> make_motion_stage(const MotionParameters<2>&,
                                                                   const Vector<2>&);
 extern template std::unique_ptr<MotionStage<3>> make_motion_stage(const MotionParameters<3>&,
                                                                   const Vector<3>&);
-extern template std::unique_ptr<RefusableStage<2>> make_refusable_stage(const MotionParameters<2>&,
-                                                                        const Vector<2>&);
-extern template std::unique_ptr<RefusableStage<3>> make_refusable_stage(const MotionParameters<3>&,
-                                                                        const Vector<3>&);
 
 }  // namespace sandglass::motion

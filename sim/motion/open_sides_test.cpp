@@ -1,5 +1,5 @@
 #include "sim/base/error.hpp"
-#include "sim/motion/refusable_motion.hpp"
+#include "sim/motion/entry_stage.hpp"
 #include "sim/motion/test_flight.hpp"
 
 #include <cmath>
@@ -135,20 +135,15 @@ TEST(OpenSides, ObstaclesStandInTheWay) {
   EXPECT_EQ(store.places()[1].cell, store.removed());
 }
 
-class RefuseAll final : public EntryRule<2> {
- public:
-  void decide(const Proposals<2>& moves) override {
-    EXPECT_EQ(moves.entering.size(), moves.cells.size());
-    for (std::uint8_t& refused : moves.refused) refused = 1;
-  }
-};
-
-TEST(OpenSides, NoRuleKeepsWhoeverLeaves) {
+TEST(OpenSides, NoFullCellKeepsWhoeverLeaves) {
   auto free = scattered<2>(4), refused = scattered<2>(4);
   const MotionParameters<2> parameters = table<2>(0);
   advance(*make_motion_stage<2>(parameters, box<2>()), free, {kDt});
-  RefuseAll rule;
-  RefusableMotion<2>(parameters, box<2>()).advance(refused, {kDt}, rule);
+  std::vector<std::uint8_t> full(refused.cells().size() + 1, 1);
+  full.back() = 0;
+  refused.begin_step();
+  make_entry_stage<2>(parameters, box<2>())
+      ->advance(refused, 0, refused.cells().size(), {kDt}, {full.data(), nullptr, {}, true});
   for (std::size_t i = 0; i < free.size(); ++i)
     ASSERT_EQ(refused.places()[i].cell == refused.removed(), free.places()[i].cell == free.removed());
   const std::size_t before = refused.size();

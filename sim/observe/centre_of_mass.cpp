@@ -29,6 +29,7 @@ Quantity CentreOfMass<D>::quantity() const {
 
 template <int D>
 std::vector<double> CentreOfMass<D>::measure(const View<D>& view) {
+  if (view.particles.empty()) return {};
   return with_population(view, [&](const auto& all) {
     const auto sum = sum_particles<D>(view, [&all](const Phase<D>& particle, std::uint32_t i) {
       std::array<double, D> moment;

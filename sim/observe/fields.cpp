@@ -1,5 +1,6 @@
 #include "sim/observe/fields.hpp"
 
+#include "sim/observe/bin_sums.hpp"
 #include "sim/observe/population.hpp"
 
 namespace sandglass {
@@ -20,11 +21,7 @@ Quantity Fields<D>::quantity() const {
 template <int D>
 template <class All>
 std::vector<double> Fields<D>::measure(const View<D>& view, const All& all) const {
-  struct Sums {
-    std::uint32_t particles = 0;
-    double count = 0;   ///< of real particles
-    double mass = 0;    ///< theirs
-    double shared = 0;  ///< sum of weight squared times mass: what Population::freedom takes off
+  struct Sums : BinSums {
     Vector<D> mean = Vector<D>::Zero();
     double squares = 0;  ///< of the velocity relative to the mean (Welford 1962; with masses: West 1979)
   };
@@ -33,10 +30,7 @@ std::vector<double> Fields<D>::measure(const View<D>& view, const All& all) cons
     const Phase<D>& particle = view.particles[i];
     Sums& bin = sums[bins_.bin_of(particle.position, view.box)];
     const Vector<D> before = particle.velocity - bin.mean;
-    ++bin.particles;
-    bin.count += all.weight(i);
-    bin.mass += all.real_mass(i);
-    bin.shared += all.weight(i) * all.real_mass(i);
+    bin.add(all, i);
     bin.mean += all.real_mass(i) * before / bin.mass;
     bin.squares += all.real_mass(i) * before.dot(particle.velocity - bin.mean);
   }

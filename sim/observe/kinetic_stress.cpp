@@ -1,6 +1,7 @@
 #include "sim/observe/kinetic_stress.hpp"
 
 #include "sim/observe/axes.hpp"
+#include "sim/observe/bin_sums.hpp"
 #include "sim/observe/population.hpp"
 
 namespace sandglass {
@@ -11,15 +12,11 @@ constexpr std::size_t kComponents = D*(D + 1) / 2;
 
 /// What the particles of one bin add up to.
 template <int D>
-struct Bin {
-  std::uint32_t particles = 0;
-  double count = 0;   ///< of real particles
-  double mass = 0;    ///< theirs
-  double shared = 0;  ///< sum of weight squared times mass: what Population::freedom takes off
+struct Bin : BinSums {
   Vector<D> momentum = Vector<D>::Zero();
   std::array<double, kComponents<D>> products{};  ///< of the components of C, times mass
 
-  void add(const Vector<D>& relative, double weighted_mass) {
+  void add_products(const Vector<D>& relative, double weighted_mass) {
     std::size_t k = 0;
     for (int a = 0; a < D; ++a)
       for (int b = a; b < D; ++b) products[k++] += weighted_mass * relative[a] * relative[b];
@@ -57,15 +54,12 @@ std::vector<double> KineticStress<D>::measure(const View<D>& view, const All& al
   };
   for (std::uint32_t i = 0; i < view.particles.size(); ++i) {
     Bin<D>& bin = bin_of(i);
-    ++bin.particles;
-    bin.count += all.weight(i);
-    bin.mass += all.real_mass(i);
-    bin.shared += all.weight(i) * all.real_mass(i);
+    bin.add(all, i);
     bin.momentum += all.real_mass(i) * view.particles[i].velocity;
   }
   for (std::uint32_t i = 0; i < view.particles.size(); ++i) {
     Bin<D>& bin = bin_of(i);
-    bin.add(view.particles[i].velocity - bin.momentum / bin.mass, all.real_mass(i));
+    bin.add_products(view.particles[i].velocity - bin.momentum / bin.mass, all.real_mass(i));
   }
   const double per_volume = all.real_unit() * static_cast<double>(bins.size()) / view.box.prod();
   std::vector<double> values;

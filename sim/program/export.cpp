@@ -1,6 +1,7 @@
 #include "sim/record/export.hpp"
 
 #include "sim/program/options.hpp"
+#include "sim/record/output_files.hpp"
 #include "sim/scene/scene.hpp"
 
 #include <filesystem>
@@ -23,6 +24,10 @@ int export_files(const Options& options) {
       options.output.empty()
           ? std::filesystem::path(options.subject).replace_extension(extension_of(options.format)).string()
           : options.output;
+  const Existing existing = options.overwrite ? Existing::replace : Existing::keep;
+  OutputFiles outputs({options.subject});
+  for (const std::string& file : export_paths(record, options.format, path))
+    outputs.claim({file, existing, "use --overwrite to replace it, or another file with --output"});
   for (const std::string& file :
        export_record(record, options.format, path, {scene.species.front().diameter}))
     fmt::print("{}\n", file);

@@ -1,8 +1,10 @@
-#include "validation/law/law.hpp"
+#include "validation/law/example.hpp"
 
 #include "sim/base/error.hpp"
 #include "sim/program/options.hpp"
+#include "sim/program/table.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include <fmt/format.h>
@@ -27,10 +29,30 @@ law::Arguments read_arguments(const std::vector<std::string>& words) {
   return arguments;
 }
 
+bool must_be_given(const law::Parameter& parameter) { return !parameter.fallback; }
+
+/// What the law takes and a line to try it with.
+void describe(const law::Law& law) {
+  fmt::print("{}  [{}]\n  {}\n  source: {}\n  valid: {}\n\n", law.name, law.units, law.summary, law.source,
+             law.validity);
+  std::vector<std::vector<std::string>> rows = {{"argument", "units", "allowed", "default", "meaning"}};
+  for (const law::Parameter& parameter : law.parameters)
+    rows.push_back({parameter.name, parameter.units, law::range_text(parameter),
+                    parameter.fallback ? fmt::format("{}", *parameter.fallback) : "none, give it",
+                    parameter.summary});
+  fmt::print("{}\ntry: sandglass law {}", columns(rows), law.name);
+  for (const auto& [name, value] : law::example_arguments(law)) fmt::print(" {}={}", name, value);
+  fmt::print("\n");
+}
+
 }  // namespace
 
 int evaluate_law(const Options& options) {
   const law::Law& found = law::find_law(options.subject);
+  if (options.words.empty() && !options.json && std::ranges::any_of(found.parameters, must_be_given)) {
+    describe(found);
+    return all_well;
+  }
   const double value = law::evaluate(found, read_arguments(options.words));
   if (options.json) {
     const nlohmann::json json = {{"name", found.name},         {"value", value},

@@ -63,6 +63,7 @@ void add_looking(CLI::App& app, Options& options) {
   files->add_option("record", options.subject, "record (HDF5)")->required();
   files->add_option("--format", options.format, "vtp, xyz, mdanalysis or csv")->capture_default_str();
   files->add_option("-o,--output", options.output, "main file to write (default: the record's name)");
+  files->add_flag("--overwrite", options.overwrite, "replace files that exist");
 }
 
 const std::map<std::string, Command>& commands() {

@@ -5,7 +5,7 @@
 #include "sim/program/progress_line.hpp"
 #include "sim/program/signals.hpp"
 #include "sim/program/table.hpp"
-#include "sim/record/atomic_file.hpp"
+#include "sim/record/output_files.hpp"
 #include "sim/record/record.hpp"
 
 #include <filesystem>
@@ -19,27 +19,11 @@ namespace {
 std::string record_path(const Options& options, const Scene& scene) {
   if (!options.output.empty()) return options.output;
   if (!scene.output.record.empty()) return scene.output.record;
-  return std::filesystem::path(options.subject).stem().replace_extension(".h5").string();
+  return std::filesystem::path(options.subject).stem().string() + ".h5";
 }
 
 std::string checkpoint_path(const std::string& record) {
-  return std::filesystem::path(record).replace_extension(".checkpoint.h5").string();
-}
-
-/// A run of hours must not end at a folder that is not there.
-void refuse_bad_path(const std::string& path, bool overwrite) {
-  namespace fs = std::filesystem;
-  std::error_code none;
-  const fs::path folder = fs::absolute(path).parent_path();
-  if (!fs::is_directory(folder, none))
-    throw InputError(fmt::format("{}: no such folder: {}; make it, or give another place with --output", path,
-                                 folder.string()));
-  if (fs::is_directory(path, none))
-    throw InputError(fmt::format("{}: is a folder; give a file with --output", path));
-  if (!overwrite && fs::exists(path, none))
-    throw InputError(fmt::format(
-        "{}: exists already; use --overwrite to replace it, or another file with --output", path));
-  require_writable(path);
+  return (record.ends_with(".h5") ? record.substr(0, record.size() - 3) : record) + ".checkpoint.h5";
 }
 
 std::string summary(const Record& record, const std::string& path) {
@@ -65,19 +49,53 @@ std::string summary(const Record& record, const std::string& path) {
   return text + columns(rows);
 }
 
+/// Claims a file of the run and says which leftovers of killed runs went.
+void claim(OutputFiles& outputs, const Options& options, OutputFile output) {
+  if (options.overwrite) output.existing = Existing::replace;
+  for (const std::string& part : outputs.claim(output))
+    if (!options.quiet) fmt::print(stderr, "removed what a killed run left over: {}\n", part);
+}
+
+/// The record, the checkpoints beside it and the trace of events. What is resumed is replaced by what follows it.
+void claim_files(OutputFiles& outputs, const Options& options, const Scene& scene,
+                 const std::string& record) {
+  const bool resumes = options.command == "resume";
+  const std::string checkpoint = checkpoint_path(record);
+  claim(outputs, options,
+        {record, Existing::keep, "use --overwrite to replace it, or another file with --output"});
+  claim(outputs, options,
+        {checkpoint, resumes && checkpoint == options.subject ? Existing::replace : Existing::keep,
+         fmt::format("go on with 'sandglass resume {}', or use --overwrite to start anew", checkpoint)});
+  if (scene.output.event_trace)
+    claim(outputs, options,
+          {*scene.output.event_trace, resumes ? Existing::replace : Existing::keep,
+           "use --overwrite to replace it, or name another file in 'output.event-trace'"});
+}
+
+/// The record stands: its checkpoint has served. What appeared at the record's place during the run is kept.
+void finish(const Options& options, const Record& record, const std::string& path) {
+  const Existing existing = options.overwrite ? Existing::replace : Existing::keep;
+  const std::string written = write_record(path, record, existing);
+  std::error_code none;
+  std::filesystem::remove(checkpoint_path(path), none);
+  if (written != path)
+    fmt::print(stderr, "warning: {} appeared during the run; the record is {}\n", path, written);
+  if (!options.quiet) fmt::print("{}", summary(record, written));
+}
+
 /// Runs `work`, which returns the record, with signals caught and progress shown, and writes the record.
 template <class Work>
-int run_to_record(const Options& options, const std::string& path, Work work) {
-  refuse_bad_path(path, options.overwrite);
+int run_to_record(const Options& options, const Scene& scene, const std::string& path, Work work) {
+  const bool replaces_input = checkpoint_path(path) == options.subject;
+  OutputFiles outputs(replaces_input ? std::vector<std::string>{} : std::vector{options.subject});
+  claim_files(outputs, options, scene, path);
   ProgressLine line(options.quiet);
   RunOptions run_options;
   run_options.checkpoint_path = checkpoint_path(path);
   run_options.progress = line.callback();
   run_options.stop = &stop_on_signal();
   try {
-    const Record record = work(run_options);
-    write_record(path, record);
-    if (!options.quiet) fmt::print("{}", summary(record, path));
+    finish(options, work(run_options), path);
   } catch (const Interrupted& stop) {
     throw Interrupted(
         fmt::format("{}; go on with: sandglass resume {}", stop.what(), run_options.checkpoint_path));
@@ -98,7 +116,7 @@ int run(const Options& options) {
   if (options.seed) scene.run.seed = *options.seed;
   const std::string path = record_path(options, scene);
   scene.output.record = path;
-  return run_to_record(options, path,
+  return run_to_record(options, scene, path,
                        [&](const RunOptions& run_options) { return run_scene(scene, run_options); });
 }
 
@@ -109,7 +127,7 @@ int resume_run(const Options& options) {
                                  options.subject));
   const Scene scene = read_scene_text(checkpoint.scene, options.subject);
   const std::string path = record_path(options, scene);
-  return run_to_record(options, path,
+  return run_to_record(options, scene, path,
                        [&](const RunOptions& run_options) { return resume(checkpoint, run_options); });
 }
 

@@ -5,9 +5,13 @@
 
 namespace sandglass {
 
+/// What to do with a file that stands where one is to be written.
+enum class Existing { keep, replace };
+
 /// A file that appears whole or not at all: filled as `<path>.part-<process id>`, flushed to disk, then
 /// renamed. Whatever stood at `path` before stays until commit(); without commit() the partial file is
-/// removed. Every function throws RunError naming the path and the system's reason.
+/// removed. Only regular files are replaced. Every function throws RunError naming the path and the system's
+/// reason.
 class AtomicFile {
  public:
   explicit AtomicFile(std::string path);
@@ -24,10 +28,13 @@ class AtomicFile {
   std::string refusal() const;
   /// Gives the part's bytes back to the disk, even while another descriptor holds it open.
   void empty();
-  void commit();
+  /// Returns the path that the file has now: with Existing::keep and something at `path`, the first of
+  /// "name-1.ending", "name-2.ending", ... that is free.
+  std::string commit(Existing existing = Existing::replace);
 
  private:
   [[noreturn]] void fail() const;
+  std::string take_free_name() const;
   void sync_folder() const;
 
   std::string path_;

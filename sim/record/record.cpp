@@ -77,11 +77,12 @@ void require_readable(const std::string& path) {
 
 }  // namespace
 
-void write_record(const std::string& path, const Record& record) {
-  hdf5::write_whole_file(path, [&](const hdf5::Writer& root) {
+std::string write_record(const std::string& path, const Record& record, Existing existing) {
+  const auto fill = [&](const hdf5::Writer& root) {
     write_h5md(root, record);
     write_sandglass(root, record);
-  });
+  };
+  return hdf5::write_whole_file(path, fill, existing);
 }
 
 Record read_record(const std::string& path) {

@@ -3,6 +3,7 @@
 #include "sim/base/columns.hpp"
 #include "sim/base/particle_columns.hpp"
 #include "sim/base/series.hpp"
+#include "sim/record/atomic_file.hpp"
 
 #include <cstdint>
 #include <map>
@@ -67,8 +68,10 @@ struct Record {
 };
 
 /// Writes to a new file beside `path`, flushes it to disk and renames it: a crash leaves the previous file
-/// whole. Throws RunError naming the path and the reason (disk full, no such folder, not writable).
-void write_record(const std::string& path, const Record& record);
+/// whole. Returns the path that the record got: another than `path` where something stands there that is to be
+/// kept. Throws RunError naming the path and the reason (disk full, no such folder, not writable).
+std::string write_record(const std::string& path, const Record& record,
+                         Existing existing = Existing::replace);
 
 /// Throws InputError when the file is missing, truncated, not a Sandglass record, or of another schema
 /// version.

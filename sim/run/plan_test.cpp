@@ -93,6 +93,24 @@ TEST(Plan, DoesNotAdviseWiderAndNarrowerCellsAtOnce) {
   EXPECT_TRUE(says(plan(thin), "widen the cells or lower 'method.weight'"));
 }
 
+/// Cells that keep others out are a length of the model: one warning says so, and none asks for other cells.
+TEST(Plan, AdvisesNoCellsWhereTheyHoldTheExcludedVolume) {
+  Scene scene = test_scene(2, 30, 900);
+  dsmc_options(scene).cells = {20, 20};
+  dsmc_options(scene).excluded_volume = ExcludedVolume::cells;
+  const Plan crowded = plan(scene);
+  ASSERT_EQ(crowded.warnings.size(), 1u);
+  EXPECT_NE(crowded.warnings[0].find("compare two values of 'method.cell-size'"), std::string::npos);
+  for (const char* advice : {"widen", "lower", "a cell,"})
+    EXPECT_EQ(crowded.warnings[0].find(advice), std::string::npos) << crowded.warnings[0];
+  scene.method.time_step.fixed = 10;
+  EXPECT_EQ(plan(scene).warnings.size(), 2u);
+  Scene thin = test_scene(2, 300, 900);
+  dsmc_options(thin).cells = {10, 10};
+  dsmc_options(thin).excluded_volume = ExcludedVolume::cells;
+  EXPECT_TRUE(plan(thin).warnings.empty());
+}
+
 /// A source fills an empty box: 0/0 is no plan.
 TEST(Plan, OfCollisionsWithoutAParticleIsUnknown) {
   Scene scene = test_scene(2, 30, 0);

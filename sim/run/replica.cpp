@@ -114,6 +114,7 @@ View<D> ReplicaRun<D>::view() {
 template <int D>
 void ReplicaRun<D>::sample(Watch& watch) {
   const std::vector<double> values = watch.observer->measure(view());
+  if (values.empty()) return;
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
     throw RunError(
         fmt::format("step {}, time {:.6g}, replica {}: '{}' is not a finite number; the state is broken "

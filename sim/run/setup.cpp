@@ -37,6 +37,7 @@ ObserverSpec spec_of(const Scene& scene, const Observe& observe) {
   spec.grid.assign(observe.grid.begin(), observe.grid.end());
   for (std::size_t axis = 0; axis < scene.domain.sides.size(); ++axis)
     if (scene.domain.sides[axis][0] != Side::periodic) spec.bounded.push_back(static_cast<int>(axis));
+  for (const Species& species : scene.species) spec.species.push_back(species.name);
   if (scene.initial.shear_wave) spec.periods = scene.initial.shear_wave->periods;
   return spec;
 }
@@ -50,6 +51,7 @@ Needs needs_of(const std::vector<ObserverSpec>& observers) {
     all.transfer |= needs.transfer;
     all.plane |= needs.plane;
     all.walls |= needs.walls;
+    all.by_species |= needs.by_species;
     all.impact_bins = std::max(all.impact_bins, needs.impact_bins);
   }
   return all;

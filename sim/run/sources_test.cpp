@@ -76,6 +76,15 @@ TEST(Sources, BringInAsManyAsTheirRateSays) {
   EXPECT_EQ(record.replicas[0].counters.at("particles-poured"), 39);
 }
 
+/// Where nothing is, no centre of mass is: its samples begin with the first particle.
+TEST(Sources, FillABoxThatHadNoCentreOfMass) {
+  const Record record = run_text(kFloor + "[[observe]]\nwhat = \"centre-of-mass\"\nevery = { steps = 1 }\n");
+  const Series& series = record.replicas[0].series[0];
+  ASSERT_EQ(series.samples(), 301u - 8);
+  EXPECT_EQ(series.step.front(), 8u) << "rate 1.3, steps of 0.1: the first comes at 0.77";
+  EXPECT_EQ(record.estimates[0].value.size(), 1u);
+}
+
 /// The first frame has no particle, the last one most.
 TEST(Sources, TheirRecordReadsBack) {
   const Record record = run_text(kFloor);

@@ -174,6 +174,12 @@ Fall fall_of(const Subject& subject, std::size_t replica) {
   return fall;
 }
 
+double cell_edge(const Subject& subject) {
+  const std::vector<double> cells = cells_along(subject.scene());
+  const auto axis = static_cast<std::size_t>(vertical_axis(subject.scene()));
+  return cells.empty() ? 0 : subject.scene().domain.size[axis] / cells[axis];
+}
+
 law::FallingParticles particles_at(const Subject& subject, const Fall& fall, std::size_t sample) {
   const double count = real_particles(subject), mass = subject.species().mass;
   return {count, mass, gravity(subject), fall.height[sample], fall.momentum[sample] / (count * mass)};

@@ -19,6 +19,9 @@ struct Fall {
 };
 Fall fall_of(const Subject& subject, std::size_t replica);
 
+/// Edge of a collision cell along gravity; 0 for a method that knows where particles are.
+double cell_edge(const Subject& subject);
+
 /// All real particles of the replica at the given sample, as the laws of falling take them.
 law::FallingParticles particles_at(const Subject& subject, const Fall& fall, std::size_t sample);
 

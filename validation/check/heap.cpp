@@ -15,10 +15,10 @@
 namespace sandglass {
 
 namespace {
-/// The straight part of a side, in parts of half the base: neither the head nor the tail.
-constexpr double kFrom = 0.2, kTo = 0.7;
-
 constexpr std::size_t kFolds = 10;
+
+/// Diameters that l/r may have: a grain, over a probability to stop of a tenth.
+constexpr double kMostKink = 10;
 
 using Replicas = std::span<const std::size_t>;
 
@@ -33,12 +33,13 @@ std::size_t last_sample(const Subject& subject) { return subject.series(0, "free
 /// 0 where the particles lie in less than a layer on the floor.
 double straight_slope(const HeapProfile& profile) {
   if (profile.is_bare()) return 0;
-  return heap_slope(profile, kFrom * profile.half_base(), kTo * profile.half_base());
+  return heap_slope(profile, kStraightFrom * profile.half_base(), kStraightTo * profile.half_base());
 }
 
 double straight_slope(const HeapProfile& profile, int side) {
   if (profile.is_bare()) return 0;
-  return heap_side_slope(profile, side, kFrom * profile.half_base(), kTo * profile.half_base());
+  return heap_side_slope(profile, side, kStraightFrom * profile.half_base(),
+                         kStraightTo * profile.half_base());
 }
 
 Figure surface_figure(const Subject& subject, std::size_t sample) {
@@ -64,6 +65,26 @@ void add_line(Figure& figure, const HeapProfile& profile, const std::string& nam
   figure.lines.push_back(std::move(line));
 }
 
+ShapeComparison shapes_of(const HeapProfile& profile) {
+  const HeapPoints points = below_head(profile);
+  // Up to four stretches a fold, of two points at least: the more, the less one fold differs from the next.
+  const std::size_t stretches = std::clamp<std::size_t>(points.x.size() / (2 * kFolds), 1, 4);
+  return compare_shapes(points.x, points.h, kFolds, stretches);
+}
+
+/// The mean surface with both shapes, where they fit.
+Figure tail_figure(const Subject& subject, std::size_t sample) {
+  Figure figure = surface_figure(subject, sample);
+  const HeapProfile profile = all_replicas(subject, sample);
+  try {
+    const ShapeComparison shapes = shapes_of(profile);
+    add_line(figure, profile, "(3.17)", shapes.kinked.heap, shapes.kinked.centre);
+    add_line(figure, profile, "triangle", shapes.triangle.heap, shapes.triangle.centre);
+  } catch (const InputError&) {
+  }
+  return figure;
+}
+
 Evidence slope_evidence(const Subject& subject, const law::Arguments& numbers) {
   const std::size_t sample = last_sample(subject);
   const auto slope = [&](int side) {
@@ -87,7 +108,7 @@ Evidence head_evidence(const Subject& subject, const law::Arguments& numbers) {
   const std::size_t sample = last_sample(subject);
   const Mean flatter = jackknife(subject.replicas(), [&](Replicas replicas) {
     const HeapProfile profile = heap_profile(subject, sample, replicas);
-    return straight_slope(profile) - heap_slope(profile, 0, kFrom * profile.half_base());
+    return straight_slope(profile) - heap_slope(profile, 0, kStraightFrom * profile.half_base());
   });
   Evidence evidence = at_least(flatter, numbers.at("least"));
   evidence.summary = "slope of the straight part less that of the head";
@@ -120,49 +141,35 @@ Evidence edge_evidence(const Subject& subject, const law::Arguments&) {
   return evidence;
 }
 
-struct Points {
-  std::vector<double> x, h;
-};
-
-/// Where the surface stands a diameter or more above the floor, without the head, of which the law does not speak.
-Points below_head(const HeapProfile& profile, double diameter) {
-  const double head = kFrom * profile.half_base();
-  Points points;
-  for (std::size_t i = 0; i < profile.x.size(); ++i)
-    if (profile.h[i] >= diameter && std::abs(profile.x[i]) >= head)
-      points.x.push_back(profile.x[i]), points.h.push_back(profile.h[i]);
-  return points;
-}
-
-/// A surface that neither shape fits has no comparison: not a number.
+/// At the end of pouring: the law is that of a heap that grows. Each replica by itself: a mean of triangles whose feet
+/// differ has a tail of its own. A kink is of the size of a grain and no probability above one, so that l/r is a diameter
+/// or more; of a layer without sides it is as long as the layer. Where no shape fits: not a number.
 Evidence tail_evidence(const Subject& subject, const law::Arguments&) {
-  const std::size_t sample = last_sample(subject);
-  const HeapProfile profile = all_replicas(subject, sample);
-  const Points points = below_head(profile, subject.species().diameter);
+  const std::size_t sample = heap_sample_at(subject, end_of_pouring(subject));
+  std::vector<double> kinks, advantages;
   Evidence evidence;
-  evidence.kind = Expectation::at_least;
-  evidence.units = "length^2";
-  evidence.figures.push_back(surface_figure(subject, sample));
   try {
-    // Up to four stretches a fold, of two points at least: the more, the less one fold differs from the next.
-    const std::size_t stretches = std::clamp<std::size_t>(points.x.size() / (2 * kFolds), 1, 4);
-    const ShapeComparison shapes = compare_shapes(points.x, points.h, kFolds, stretches);
-    evidence.value = shapes.advantage.value;
-    evidence.standard_error = shapes.advantage.standard_error;
-    evidence.degrees_of_freedom = shapes.advantage.degrees_of_freedom;
-    const HeapFit& kinked = shapes.kinked;
+    for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
+      const ShapeComparison shapes = shapes_of(heap_profile(subject, sample, std::span(&replica, 1)));
+      kinks.push_back(shapes.kinked.heap.kink_length);
+      advantages.push_back(shapes.advantage.value);
+    }
+    const Mean advantage = mean_of_independent(advantages);
+    evidence = from_mean(mean_of_independent(kinks), subject.species().diameter);
     evidence.summary = fmt::format(
-        "mean square residual of a triangle less that of (3.17), of points left out of the fit; slope {:.3f} "
-        "± {:.3f}, "
-        "l/r {:.2f} ± {:.2f}, height {:.1f}",
-        kinked.heap.slope, kinked.error.slope, kinked.heap.kink_length, kinked.error.kink_length,
-        kinked.heap.height);
-    add_line(evidence.figures.back(), profile, "(3.17)", kinked.heap, kinked.centre);
-    add_line(evidence.figures.back(), profile, "triangle", shapes.triangle.heap, shapes.triangle.centre);
+        "l/r of each replica at the end of pouring; mean square residual of a triangle less that of (3.17), "
+        "of "
+        "points left out of the fit: {:.3f} ± {:.3f}",
+        advantage.value, advantage.standard_error);
   } catch (const InputError& error) {
     evidence.value = std::numeric_limits<double>::quiet_NaN();
     evidence.summary = std::string("no shape fits: ") + error.what();
   }
+  evidence.kind = Expectation::between;
+  evidence.expected = subject.species().diameter;
+  evidence.upper = kMostKink * subject.species().diameter;
+  evidence.units = "length";
+  evidence.figures.push_back(tail_figure(subject, sample));
   return evidence;
 }
 

@@ -1,4 +1,5 @@
 #include "sim/base/error.hpp"
+#include "validation/check/falling.hpp"
 #include "validation/check/families.hpp"
 #include "validation/check/heap_profile.hpp"
 #include "validation/check/heap_shape.hpp"
@@ -23,7 +24,9 @@ double height_of(const law::Heap& heap) {
   return 1.5 * square / law::heap_area(heap);
 }
 
-/// Samples between `least` particles and the end of pouring, the last of them being the one that is fitted.
+constexpr std::size_t kSizes = 4;  ///< smaller heaps that are compared
+
+/// Some of the samples between `least` particles and the end of pouring, the last of them being the one that is fitted.
 std::vector<std::size_t> growing_samples(const Subject& subject, double least) {
   const std::vector<double>& times = subject.series(0, "free-surface").time;
   std::vector<std::size_t> samples;
@@ -32,14 +35,10 @@ std::vector<std::size_t> growing_samples(const Subject& subject, double least) {
   if (samples.size() < 2)
     throw InputError(fmt::format(
         "fewer than two samples of 'free-surface' between {} particles and the end of pouring", least));
-  return samples;
-}
-
-law::Heap fitted(const HeapProfile& profile, double diameter) {
-  std::vector<double> x, h;
-  for (std::size_t i = 0; i < profile.x.size(); ++i)
-    if (profile.h[i] >= diameter) x.push_back(profile.x[i]), h.push_back(profile.h[i]);
-  return fit_kinked_heap(x, h).heap;
+  if (samples.size() <= kSizes + 1) return samples;
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i <= kSizes; ++i) some.push_back(samples[i * (samples.size() - 1) / kSizes]);
+  return some;
 }
 
 double particles_at(const Subject& subject, std::size_t sample) {
@@ -49,7 +48,8 @@ double particles_at(const Subject& subject, std::size_t sample) {
 /// Height over that of the law, area in proportion to the particles poured.
 double height_ratio(const Subject& subject, std::size_t sample, std::size_t last, Replicas replicas) {
   const HeapProfile large = heap_profile(subject, last, replicas);
-  law::Heap heap = fitted(large, subject.species().diameter);
+  const HeapPoints points = below_head(large);
+  law::Heap heap = fit_kinked_heap(points.x, points.h).heap;
   const double share = particles_at(subject, sample) / particles_at(subject, last);
   heap.height = law::heap_height(large.area() * share, heap.slope, heap.kink_length);
   return heap_profile(subject, sample, replicas).height() / height_of(heap);
@@ -71,6 +71,16 @@ Figure collapse_figure(const Subject& subject, const std::vector<std::size_t>& s
   return figure;
 }
 
+/// Half an edge of a cell for the height of either heap, as no method of cells knows a place better.
+double height_budget(const Subject& subject, const std::vector<std::size_t>& samples) {
+  std::vector<double> heights;
+  std::vector<std::size_t> replicas(subject.replicas());
+  std::iota(replicas.begin(), replicas.end(), std::size_t{0});
+  for (const std::size_t sample : {samples.front(), samples.back()})
+    heights.push_back(heap_profile(subject, sample, replicas).height());
+  return cell_edge(subject) / 2 * std::abs(1 / heights[0] - 1 / heights[1]);
+}
+
 Evidence growth_evidence(const Subject& subject, const law::Arguments& numbers) {
   const std::vector<std::size_t> samples = growing_samples(subject, numbers.at("least-particles"));
   WorstRatio worst;
@@ -86,6 +96,8 @@ Evidence growth_evidence(const Subject& subject, const law::Arguments& numbers) 
     points.error.push_back(ratio.standard_error), points.expected.push_back(1);
   }
   Evidence evidence = worst.evidence();
+  evidence.budget.systematic = height_budget(subject, samples);
+  evidence.budget.reason = "half an edge of a cell in the heights of the smallest heap and the largest";
   evidence.summary =
       "height of the smaller heaps over that which the shape of the largest gives; worst: " + worst.label();
   heights.points.push_back(std::move(points));

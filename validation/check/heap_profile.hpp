@@ -24,7 +24,21 @@ struct HeapProfile {
 };
 
 /// The sample is one of `free-surface`. Throws InputError where the scene is not that of a heap (is_heap).
+///
+/// While particles come, the highest in a bin may be one that still falls or rebounds. Rebounds stand over a bin for a
+/// moment: in each replica the height is the median over the samples of ten particles before and after. Over the source
+/// there is always one that falls: there the surface is the mean of both sides, until the last has been poured.
 HeapProfile heap_profile(const Subject& subject, std::size_t sample, std::span<const std::size_t> replicas);
+
+/// The surface from the head, of which the law does not speak, to twice half the base. Bare floor counts: who lies on it
+/// alone must not pass for a tail.
+struct HeapPoints {
+  std::vector<double> x, h;
+};
+HeapPoints below_head(const HeapProfile& profile);
+
+/// The straight part of a side, in parts of half the base: neither the head nor the tail.
+constexpr double kStraightFrom = 0.2, kStraightTo = 0.7;
 
 /// Least-squares slope of the surface, falling outwards, where `from` <= |x| <= `to` on both sides, or on one: -1 is left,
 /// 1 right. NaN with fewer than three bins on a side.

@@ -23,12 +23,6 @@ double floor_size(const Subject& subject) {
   return volume(subject.scene().domain) / subject.scene().domain.size[vertical(subject)];
 }
 
-/// Edge of a cell along gravity; 0 for a method that knows where particles are.
-double cell_edge(const Subject& subject) {
-  const std::vector<double> cells = cells_along(subject.scene());
-  return cells.empty() ? 0 : subject.scene().domain.size[vertical(subject)] / cells[vertical(subject)];
-}
-
 Evidence packed_height(const Subject& subject, const law::Arguments& numbers) {
   const std::string axis(1, static_cast<char>('x' + vertical_axis(subject.scene())));
   std::vector<double> heights;

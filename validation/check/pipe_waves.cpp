@@ -1,3 +1,4 @@
+#include "sim/scene/method/capabilities.hpp"
 #include "validation/check/families.hpp"
 #include "validation/check/pipe.hpp"
 #include "validation/check/spectrum_fit.hpp"
@@ -29,18 +30,30 @@ double elastic_variance(const Subject& subject, std::size_t slices) {
   return law::count_variance(subject.gas(1), subject.particles() * share, share);
 }
 
-Mean variance_ratio(const Subject& subject, const std::vector<PipeSlices>& runs) {
-  const double expected = elastic_variance(subject, runs.front().slices);
+Mean variance_ratio(const std::vector<PipeSlices>& runs, double expected) {
   return jackknife(runs.size(),
                    [&](std::span<const std::size_t> used) { return slice_variance(runs, used) / expected; });
 }
 
+/// Of the fluid as the cells see it.
+double cell_variance(const Subject& subject, std::size_t slices, double window) {
+  const Scene& scene = subject.scene();
+  const auto along = static_cast<std::size_t>(pipe_axis(scene));
+  const double share = 1 / static_cast<double>(slices), length = scene.domain.size[along];
+  const law::CellFluid cells{capabilities(scene).cells ? length / cells_along(scene)[along] : 0, window};
+  return law::cell_count_variance(subject.gas(1), subject.particles() * share, share, length, cells);
+}
+
 Evidence pipe_count_variance(const Subject& subject, const law::Arguments& numbers) {
-  return from_mean(variance_ratio(subject, all_runs(subject, numbers)), 1);
+  const std::vector<PipeSlices> runs = all_runs(subject, numbers);
+  const double expected = cell_variance(subject, runs.front().slices, numbers.at("window"));
+  return from_mean(variance_ratio(runs, expected), 1);
 }
 
 Evidence pipe_waves(const Subject& subject, const law::Arguments& numbers) {
-  Evidence evidence = from_mean(variance_ratio(subject, all_runs(subject, numbers)), numbers.at("least"));
+  const std::vector<PipeSlices> runs = all_runs(subject, numbers);
+  const double elastic = elastic_variance(subject, runs.front().slices);
+  Evidence evidence = from_mean(variance_ratio(runs, elastic), numbers.at("least"));
   evidence.kind = Expectation::between;
   evidence.upper = numbers.at("most");
   return evidence;
@@ -135,14 +148,15 @@ bool has_pipe(const Scene& scene) { return pipe_axis(scene) >= 0; }
 }  // namespace
 
 std::vector<CheckInfo> pipe_wave_checks() {
-  CheckInfo variance{"pipe-count-variance",
-                     "variance of the number of particles in a slice of a pipe at rest over that of a fluid",
-                     "count-variance",
-                     {"fields"},
-                     true,
-                     with_slices({}),
-                     is_pipe_at_rest,
-                     pipe_count_variance};
+  CheckInfo variance{
+      "pipe-count-variance",
+      "variance of the number of particles in a slice of a pipe at rest over that of a fluid",
+      "cell-count-variance",
+      {"fields"},
+      true,
+      with_slices({{"window", "1", "cells along the pipe that the contact value reads", 1, 1e6, 1.0, 1}}),
+      is_pipe_at_rest,
+      pipe_count_variance};
   CheckInfo waves{"pipe-waves",
                   "variance of the number of particles in a slice of a pipe over that of an elastic fluid",
                   "count-variance",

@@ -41,6 +41,9 @@ const Arguments kKnown = {{"dimension", 3},
                           {"mean-count", 71},
                           {"share", 0.15},
                           {"variance", 1.9},
+                          {"length", 37},
+                          {"cell-edge", 2.5},
+                          {"window", 3},
                           {"samples", 512},
                           {"impact-coefficient", 0.35},
                           {"impact-parameter", 0.45}};
@@ -103,6 +106,7 @@ TEST(CatalogueOfFlows, BedLawsTakeTheirArguments) {
 
 TEST(CatalogueOfFlows, CountAndImpactLawsTakeTheirArguments) {
   expect_values({{"count-variance", count_variance(kGas, 71, 0.15)},
+                 {"cell-count-variance", cell_count_variance(kGas, 71, 0.15, 37, {2.5, 3})},
                  {"white-spectrum-level", white_spectrum_level(1.9, 512)},
                  {"impact-normalisation", impact_normalisation(3, 0.35)},
                  {"impact-dissipation-ratio", impact_dissipation_ratio(3, 0.35)},

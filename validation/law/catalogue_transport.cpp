@@ -8,26 +8,28 @@ using namespace parameter;
 
 namespace {
 constexpr const char* kViscosityUnits = "mass length^(2-dimension) time^-1";
+constexpr const char* kConductivityUnits = "length^(2-dimension) time^-1";
 constexpr const char* kDiluteSource = "Gass 1971 (disks); Chapman & Cowling 1970, ch. 10 (spheres)";
 constexpr const char* kEnskogSource = "Gass 1971 (disks); Chapman & Cowling 1970, sec. 16.5 (spheres)";
 constexpr const char* kExact = "elastic gas near equilibrium, no Sonine expansion";
 constexpr const char* kFirst = "elastic gas near equilibrium, first Sonine order";
 constexpr const char* kConverged = "elastic gas near equilibrium, all Sonine orders to 0.05%";
 
-using Viscosity = double (*)(const Gas&, SonineOrder);
+using Coefficient = double (*)(const Gas&, SonineOrder);
 
-std::function<double(const Arguments&)> to_order(Viscosity viscosity, SonineOrder order) {
-  return [viscosity, order](const Arguments& given) { return viscosity(gas_from(given), order); };
+std::function<double(const Arguments&)> to_order(Coefficient coefficient, SonineOrder order) {
+  return [coefficient, order](const Arguments& given) { return coefficient(gas_from(given), order); };
 }
 
-Law dilute_law(std::string name, std::string validity, SonineOrder order) {
+Law dilute_law(std::string name, std::string summary, std::string units, std::string validity,
+               std::function<double(const Arguments&)> evaluate) {
   return {.name = std::move(name),
-          .summary = "shear viscosity of the dilute gas",
+          .summary = std::move(summary),
           .source = kDiluteSource,
-          .units = kViscosityUnits,
+          .units = std::move(units),
           .validity = std::move(validity) + ", fraction near 0",
           .parameters = {temperature(), mass(), diameter(), dimension()},
-          .evaluate = to_order(boltzmann_shear_viscosity, order)};
+          .evaluate = std::move(evaluate)};
 }
 
 Law enskog_law(std::string name, std::string summary, std::string units, std::string validity,
@@ -45,10 +47,18 @@ Law enskog_law(std::string name, std::string summary, std::string units, std::st
 
 std::vector<Law> transport_laws() {
   using enum SonineOrder;
+  const std::string shear_dilute = "shear viscosity of the dilute gas";
   const std::string shear = "shear viscosity of the Enskog gas";
   const std::string kinematic = "shear viscosity over mass density; a shear wave decays at k^2 times it";
-  return {dilute_law("boltzmann-shear-viscosity", kFirst, first),
-          dilute_law("boltzmann-shear-viscosity-converged", kConverged, converged),
+  const std::string conductivity = "heat conductivity of the dilute gas, temperature as an energy";
+  return {dilute_law("boltzmann-shear-viscosity", shear_dilute, kViscosityUnits, kFirst,
+                     to_order(boltzmann_shear_viscosity, first)),
+          dilute_law("boltzmann-shear-viscosity-converged", shear_dilute, kViscosityUnits, kConverged,
+                     to_order(boltzmann_shear_viscosity, converged)),
+          dilute_law("boltzmann-conductivity", conductivity, kConductivityUnits, kFirst,
+                     to_order(boltzmann_conductivity, first)),
+          dilute_law("boltzmann-conductivity-converged", conductivity, kConductivityUnits, kConverged,
+                     to_order(boltzmann_conductivity, converged)),
           enskog_law("enskog-shear-viscosity", shear, kViscosityUnits, kFirst,
                      to_order(enskog_shear_viscosity, first)),
           enskog_law("enskog-shear-viscosity-converged", shear, kViscosityUnits, kConverged,

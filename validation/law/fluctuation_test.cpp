@@ -1,5 +1,6 @@
 #include "validation/law/fluctuation.hpp"
 
+#include "validation/law/contact.hpp"
 #include "validation/law/state.hpp"
 
 #include <complex>
@@ -54,6 +55,56 @@ TEST(CountVariance, IsThatOfTheFreeEnergyOfTwoParts) {
     const double variance = square / weights - std::pow(sum / weights, 2);
     EXPECT_NEAR(count_variance(gas, 10000, share) / variance, 1, 2e-3);  // beyond Gauss: O(1/count)
   }
+}
+
+constexpr Gas kFluid{.dimension = 2, .fraction = 0.38};
+
+/// Amplitude of the collisional pressure in a density wave of small amplitude, in units of n T: points of the wave are
+/// counted in cells, p_c = B nu_cell^2 chi(nu_window) holds in the whole cell. Mean over places of the cells.
+double pressure_amplitude(double wave_number, const CellFluid& cells) {
+  constexpr int fine = 240, places = 24;
+  constexpr double amplitude = 1e-5;
+  const auto in_cell = [&](double low) {  // mean of cos k x over a cell, by the midpoint rule
+    double sum = 0;
+    for (int i = 0; i < fine; ++i) sum += std::cos(wave_number * (low + (i + 0.5) * cells.edge / fine));
+    return sum / fine;
+  };
+  double result = 0;
+  for (int place = 0; place < places; ++place) {
+    const double low = place * 2 * std::numbers::pi / wave_number / places;  // of one cell
+    double around = 0;
+    for (double cell = -(cells.window - 1) / 2; cell <= (cells.window - 1) / 2; ++cell)
+      around += in_cell(low + cell * cells.edge) / cells.window;
+    const auto pressure = [&](double sign) {
+      const double cell = 1 + sign * amplitude * in_cell(low);
+      return 2 * kFluid.fraction * cell * cell *
+             contact_value(2, kFluid.fraction * (1 + sign * amplitude * around));
+    };
+    result += 2 * (pressure(1) - pressure(-1)) / (2 * amplitude) * in_cell(low) / places;
+  }
+  return result;
+}
+
+TEST(CellStructure, IsTheResponseOfThePressureOfCells) {
+  for (const CellFluid& cells : {CellFluid{5, 3}, CellFluid{2.5, 7}, CellFluid{5, 1}})
+    for (double wave_number : {0.06, 0.3, 0.7}) {
+      const double expected = 1 / (1 + pressure_amplitude(wave_number, cells));
+      EXPECT_NEAR(cell_structure(kFluid, wave_number, cells), expected, 1e-4) << wave_number;
+    }
+}
+
+TEST(CellStructure, OfLongWavesIsThatOfTheFluid) {
+  for (const CellFluid& cells : {CellFluid{}, CellFluid{5, 3}})
+    EXPECT_NEAR(cell_structure(kFluid, 1e-6, cells), long_wave_structure(kFluid), 1e-10);
+  EXPECT_NEAR(cell_structure(kFluid, 2 * std::numbers::pi / 5, {5, 3}), 1, 1e-12);  // a cell is a wave long
+}
+
+TEST(CellCountVariance, HasTheLimitsOfTheFluidAndOfPoints) {
+  for (double share : {0.5, 0.05})
+    EXPECT_NEAR(cell_count_variance(kFluid, 100, share, 300, {}), count_variance(kFluid, 100, share), 1e-9);
+  const Gas points{.dimension = 2, .fraction = 0};
+  EXPECT_NEAR(cell_count_variance(points, 100, 0.2, 300, {5, 3}), 80, 1e-9);
+  EXPECT_GT(cell_count_variance(kFluid, 100, 0.2, 100, {5, 3}), 1.3 * count_variance(kFluid, 100, 0.2));
 }
 
 /// Mueller (3.11)-(3.12), as they stand.

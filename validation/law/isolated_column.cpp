@@ -10,14 +10,15 @@ double per_height(const Column& column) { return column.mass * column.gravity / 
 double square(double value) { return value * value; }
 }  // namespace
 
-/// Of w between 0 and x = m g h/T, whose density is e^-w: <w> = 1 - x/(e^x - 1), var w = 1 - (x/2)^2/sinh^2(x/2).
+IsolatedColumn::IsolatedColumn(const Column& column, double capacity)
+    : per_height_(per_height(column)),
+      height_(column.height),
+      mean_(per_height_ * mean_column_height(column)),
+      variance_(column_height_variance(column)),
+      capacity_(capacity) {}
+
 IsolatedColumn::IsolatedColumn(const Column& column, int dimension, double particles)
-    : per_height_(per_height(column)), height_(column.height) {
-  const double lid = per_height_ * height_;
-  mean_ = 1 - lid / std::expm1(lid);
-  variance_ = 1 - square(lid / 2 / std::sinh(lid / 2));
-  capacity_ = particles * (dimension / 2.0 + variance_);
-}
+    : IsolatedColumn(column, particles * (dimension / 2.0 + column_height_variance(column))) {}
 
 double IsolatedColumn::away(double z) const { return per_height_ * z - mean_; }
 
@@ -34,11 +35,18 @@ double weight_of_crowded_samples(double mean_particles) {
   return mean_particles * -std::expm1(-mean_particles) / (mean_particles + std::expm1(-mean_particles));
 }
 
-/// The density over its mean is x e^-w/(1 - e^-x), and (x/2) coth(x/2) where the mean particle is.
+double heat_capacity(const MixedColumn& column, double temperature, double particles) {
+  double each = column.freedom / 2;
+  for (const ColumnSpecies& species : column.species)
+    each +=
+        species.share * column_height_variance({species.mass, temperature, column.gravity, species.height});
+  return particles * each;
+}
+
+/// The density over its mean is (x/2) coth(x/2) where the mean particle is.
 double excluded_volume_shift(const Column& column, double excluded, double z) {
   const double lid = per_height(column) * column.height;
-  const double here = lid * std::exp(-per_height(column) * z) / -std::expm1(-lid);
-  return -2 * excluded * (here - lid / 2 / std::tanh(lid / 2));
+  return -2 * excluded * (column_density(column, z) - lid / 2 / std::tanh(lid / 2));
 }
 
 }  // namespace sandglass::law

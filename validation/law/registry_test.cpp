@@ -1,5 +1,5 @@
 #include "sim/base/error.hpp"
-#include "validation/law/law.hpp"
+#include "validation/law/example.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -40,20 +40,6 @@ Arguments example_with(const std::string& name, double value) {
   return arguments;
 }
 
-/// Arguments inside every range, for the given dimension.
-Arguments ordinary_arguments(const Law& law, int dimension) {
-  Arguments arguments;
-  for (const Parameter& parameter : law.parameters) {
-    if (parameter.dimension != 0 && parameter.dimension != dimension) continue;
-    const bool bounded = parameter.high <= 8;
-    arguments[parameter.name] = bounded              ? (parameter.low + parameter.high) / 2
-                                : parameter.step > 0 ? parameter.low + parameter.step
-                                                     : 0.5;
-    if (parameter.name == "dimension") arguments[parameter.name] = dimension;
-  }
-  return arguments;
-}
-
 /// Small letters and digits in words joined by single hyphens, starting with a letter.
 bool well_spelled(const std::string& name) {
   constexpr const char* letters = "abcdefghijklmnopqrstuvwxyz0123456789-";
@@ -87,7 +73,7 @@ TEST(Registry, NamesAreUniqueAndEveryFieldIsFilled) {
 TEST(Registry, EveryLawHasAValueInTwoAndThreeDimensions) {
   for (const Law& law : all_laws())
     for (int dimension : {2, 3}) {
-      const Arguments arguments = ordinary_arguments(law, dimension);
+      const Arguments arguments = example_arguments(law, dimension);
       EXPECT_EQ(message_of([&] { evaluate(law, arguments); }), "no error") << law.name;
     }
 }

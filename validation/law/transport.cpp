@@ -17,6 +17,14 @@ double boltzmann_shear_viscosity(const Gas& gas, SonineOrder order) {
   return order == SonineOrder::first ? first : first * converged_factor(gas.dimension);
 }
 
+double boltzmann_conductivity(const Gas& gas, SonineOrder order) {
+  const double dimension = gas.dimension;
+  const double first = (dimension + 2) / 2 * dimension / (dimension - 1) *
+                       boltzmann_shear_viscosity(gas, SonineOrder::first) / gas.mass;
+  if (order == SonineOrder::first) return first;
+  return first * (gas.dimension == 2 ? 1.0297 : 1.0252);
+}
+
 double enskog_bulk_viscosity(const Gas& gas) {
   const double factor = gas.dimension == 2 ? 16 / pi : 256 / (5 * pi);
   return factor * gas.fraction * gas.fraction * contact_value(gas.dimension, gas.fraction) *

@@ -12,6 +12,11 @@ enum class SonineOrder { first, converged };
 /// [mass length^(2-D) time^-1].
 double boltzmann_shear_viscosity(const Gas& gas, SonineOrder order);
 
+/// Heat conductivity of the dilute elastic gas, (D+2)/2 D/(D-1) eta0/m with eta0 to first order: 2 sqrt(T/(pi m))/d for
+/// disks, 75 sqrt(T/(pi m))/(64 d^2) for spheres [length^(2-D) time^-1]; times 1.0297 (disks; docs/theory.md, Gass 1971
+/// has 1.029) or 1.0252 (spheres; Pekeris & Alterman 1957) for all orders. Temperature is an energy.
+double boltzmann_conductivity(const Gas& gas, SonineOrder order);
+
 /// Elastic Enskog gas, (eta0/g) (1 + 2bng/(D+2))^2 + D/(D+2) kappa, with bn = 2^(D-1) nu.
 /// Gass (1971) for disks, Chapman & Cowling (1970) sec. 16.5 for spheres.
 double enskog_shear_viscosity(const Gas& gas, SonineOrder order);

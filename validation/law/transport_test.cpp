@@ -3,6 +3,8 @@
 #include "validation/law/contact.hpp"
 #include "validation/law/contact_average.hpp"
 
+#include <array>
+#include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -43,6 +45,54 @@ TEST(BoltzmannViscosity, IsPressureOverTheRelaxationRateOfStress) {
     const Gas gas = gas_of(dimension, 0.01);
     const double expected = number_density(gas) * gas.temperature / stress_relaxation(gas);
     EXPECT_NEAR(boltzmann_shear_viscosity(gas, SonineOrder::first) / expected, 1, 1e-12);
+  }
+}
+
+using Powers = std::array<std::function<Vector<3>(const Vector<3>&)>, 2>;
+
+/// Sonine polynomials of order 3/2 (spheres) and 1 (disks) times c: the first two forms of a heat flow.
+Powers heat_forms(double half_dimension) {
+  return {[half_dimension](const Vector<3>& c) -> Vector<3> {
+            return (half_dimension + 1 - c.squaredNorm()) * c;
+          },
+          [half_dimension](const Vector<3>& c) -> Vector<3> {
+            const double u = c.squaredNorm(), a = half_dimension;
+            return ((a + 1) * (a + 2) / 2 - (a + 2) * u + u * u / 2) * c;
+          }};
+}
+
+/// What contacts take from the product of two forms, per particle and time.
+double relaxation(const Gas& gas, const std::function<Vector<3>(const Vector<3>&)>& first,
+                  const std::function<Vector<3>(const Vector<3>&)>& second) {
+  const auto change = [](const auto& form, const Contact& contact) -> Vector<3> {
+    return form(contact.first) + form(contact.second) - form(contact.first_after) -
+           form(contact.second_after);
+  };
+  const double relaxed = contact_average(gas.dimension, 1, [&](const Contact& contact) {
+    return change(first, contact).dot(change(second, contact)) / 2;
+  });
+  const double directions = gas.dimension == 2 ? 2 * pi : 4 * pi;
+  return number_density(gas) / 2 * directions * std::pow(gas.diameter, gas.dimension - 1) *
+         std::sqrt(2 * gas.temperature / gas.mass) * relaxed;
+}
+
+/// <form . form> of the first form, a Maxwellian's: D/2 (D/2 + 1).
+TEST(BoltzmannConductivity, FollowsFromTheRelaxationOfHeatFlow) {
+  for (int dimension : {2, 3}) {
+    const Gas gas = gas_of(dimension, 0.01);
+    const Powers forms = heat_forms(dimension / 2.0);
+    const double a = relaxation(gas, forms[0], forms[0]), b = relaxation(gas, forms[0], forms[1]),
+                 c = relaxation(gas, forms[1], forms[1]);
+    const double norm = dimension / 2.0 * (dimension / 2.0 + 1);
+    // With v0^2 = 2T/m the gradient drives v0 form . grad ln T, and q = -n T v0 <form phi>: kappa = n v0^2 norm^2/(D a).
+    const double expected =
+        number_density(gas) * 2 * gas.temperature / gas.mass * norm * norm / dimension / a;
+    EXPECT_NEAR(boltzmann_conductivity(gas, SonineOrder::first) / expected, 1, 1e-12) << dimension;
+    const double two = 1 / (1 - b * b / (a * c));                     // second order over the first
+    EXPECT_NEAR(two, dimension == 2 ? 39.0 / 38 : 45.0 / 44, 1e-10);  // Chapman & Cowling 1970: 45/44
+    const double all = boltzmann_conductivity(gas, SonineOrder::converged) / expected;
+    EXPECT_GT(all, two);
+    EXPECT_LT(all, two + (two - 1) * 0.2);
   }
 }
 

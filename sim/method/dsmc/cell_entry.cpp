@@ -30,25 +30,6 @@ void CellEntry<D>::look_up(std::span<const std::uint32_t> offsets) {
   }
 }
 
-template <int D>
-void CellEntry<D>::decide(const motion::Proposals<D>& moves) {
-  std::vector<std::uint32_t> held(moves.cells.size());
-  for (std::uint32_t cell = 0; cell < held.size(); ++cell)
-    held[cell] = moves.offsets[cell + 1] - moves.offsets[cell];
-  for (std::uint32_t cell = 0; cell < held.size(); ++cell)
-    for (std::uint32_t i = moves.offsets[cell]; i < moves.offsets[cell + 1]; ++i) {
-      const std::uint32_t target = moves.targets[i];
-      if (target == cell || target == moves.cells.size()) continue;
-      moves.refused[i] = held[target] >= full_.capacity(target);
-      if (moves.refused[i]) {
-        ++refused_;
-      } else {
-        --held[cell];
-        ++held[target];
-      }
-    }
-}
-
 template class CellEntry<2>;
 template class CellEntry<3>;
 

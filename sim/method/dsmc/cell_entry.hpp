@@ -2,7 +2,6 @@
 
 #include "sim/method/dsmc/full_cells.hpp"
 #include "sim/motion/entry_stage.hpp"
-#include "sim/motion/refusable_motion.hpp"
 
 namespace sandglass::dsmc {
 
@@ -13,16 +12,13 @@ namespace sandglass::dsmc {
 /// moves would cross none, and a column at rest would fall through them. Where cells are displaced, moves that end in a
 /// full cell are therefore refused from wherever they come.
 template <int D>
-class CellEntry final : public motion::EntryRule<D> {
+class CellEntry {
  public:
   /// Goes on to read the volumes of `cells`, which may change.
   CellEntry(const Parameters& parameters, const LatticeOfCells<D>& cells, const FullCells<D>& full);
 
-  /// For the flight in one pass; the probabilities are those of particles that stand as `offsets` says.
-  /// `key` names their draws.
+  /// For the flight; the probabilities are those of particles that stand as `offsets` says. `key` names their draws.
   motion::CellEntries entries(std::span<const std::uint32_t> offsets, const StreamKey& key);
-  /// For the flight in two passes, which the planted fault of updated room needs.
-  void decide(const motion::Proposals<D>& moves) override;
 
   std::uint64_t& refused() { return refused_; }
   std::uint64_t refused() const { return refused_; }

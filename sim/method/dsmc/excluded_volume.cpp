@@ -11,11 +11,44 @@ ExcludedVolumeOfCells<D>::ExcludedVolumeOfCells(const Parameters& parameters,
       collisions_(stage_.get()),
       entry_(parameters, cells, full_),
       motion_(motion::make_entry_stage<D>(motion, cells.grid().box())),
-      in_order_(parameters.faults.room_updated
-                    ? std::make_unique<motion::RefusableMotion<D>>(motion, cells.grid().box())
-                    : nullptr),
       everywhere_(parameters.excluded_volume.offset_in_full_cells),
-      certain_entry_(parameters.excluded_volume.entry.empty()) {}
+      certain_entry_(parameters.excluded_volume.entry.empty()),
+      room_updated_(parameters.faults.room_updated) {}
+
+template <int D>
+void ExcludedVolumeOfCells<D>::begin_moves(std::span<const std::uint32_t> offsets, const StreamKey& key) {
+  entries_ = entry_.entries(offsets, key);
+  if (!room_updated_) return;
+  room_.assign(entries_.full, entries_.full + offsets.size());
+  entries_.full = room_.data();
+}
+
+template <int D>
+void ExcludedVolumeOfCells<D>::advance(ParticleStore<D>& store, std::uint32_t first_cell,
+                                       std::uint32_t last_cell, const motion::MotionStep& step) {
+  if (!room_updated_) {
+    entry_.refused() += motion_->advance(store, first_cell, last_cell, step, entries_);
+    return;
+  }
+  for (std::uint32_t cell = first_cell; cell < last_cell; ++cell) {
+    entry_.refused() += motion_->advance(store, cell, cell + 1, step, entries_);
+    update_room(store, cell);
+  }
+}
+
+/// Cells behind the one that has moved still hold all that they held.
+template <int D>
+void ExcludedVolumeOfCells<D>::update_room(ParticleStore<D>& store, std::uint32_t moved) {
+  const auto offsets = store.offsets();
+  const auto update = [&](std::uint32_t cell) {
+    if (cell == store.removed()) return;
+    const std::uint32_t held =
+        store.arrivals()[cell] + (cell > moved ? offsets[cell + 1] - offsets[cell] : 0);
+    room_[cell] = held >= full_.capacity(cell);
+  };
+  update(moved);
+  for (std::uint32_t i = offsets[moved]; i < offsets[moved + 1]; ++i) update(store.places()[i].cell);
+}
 
 template <int D>
 std::map<std::string, double> ExcludedVolumeOfCells<D>::counters() const {

@@ -28,18 +28,9 @@ class ExcludedVolumeOfCells {
   /// Per cell, not zero where partners are not displaced; null where all are.
   const std::uint8_t* still() const { return everywhere_ || !full_.any() ? nullptr : full_.flags(); }
   /// Before the moves of a step; `key` names their draws.
-  void begin_moves(std::span<const std::uint32_t> offsets, const StreamKey& key) {
-    entries_ = entry_.entries(offsets, key);
-  }
+  void begin_moves(std::span<const std::uint32_t> offsets, const StreamKey& key);
   void advance(ParticleStore<D>& store, std::uint32_t first_cell, std::uint32_t last_cell,
-               const motion::MotionStep& step) {
-    entry_.refused() += motion_->advance(store, first_cell, last_cell, step, entries_);
-  }
-  /// The planted fault Faults::room_updated: all particles at once, one after the other.
-  bool in_order() const { return in_order_ != nullptr; }
-  void advance_in_order(ParticleStore<D>& store, const motion::MotionStep& step) {
-    in_order_->advance(store, step, entry_);
-  }
+               const motion::MotionStep& step);
 
   std::map<std::string, double> counters() const;
   void save(Memory& memory) const;
@@ -47,14 +38,17 @@ class ExcludedVolumeOfCells {
   std::size_t bytes() const { return full_.bytes() + entry_.bytes() + collisions_->bytes(); }
 
  private:
+  void update_room(ParticleStore<D>& store, std::uint32_t moved);
+
   FullCells<D> full_;
   std::unique_ptr<CellCollisions<D>> stage_;
   CellCollisions<D>* collisions_;
   CellEntry<D> entry_;
   motion::CellEntries entries_ = {};
   std::unique_ptr<motion::EntryStage<D>> motion_;
-  std::unique_ptr<motion::RefusableMotion<D>> in_order_;  ///< null: honest
   bool everywhere_, certain_entry_;
+  bool room_updated_;               ///< planted fault: cells fill up as particles arrive, cell by cell
+  std::vector<std::uint8_t> room_;  ///< with it, in place of the flags of `full_`
 };
 
 extern template class ExcludedVolumeOfCells<2>;

@@ -77,6 +77,28 @@ TEST(ExcludedVolume, LetsNobodyIntoFullCells) {
   expect_nobody_in_full_cells<3>();
 }
 
+/// Particles that cells have taken in above the ten that fill them, over all steps.
+double taken_in_above_room(bool updated) {
+  Parameters parameters = hybrid<2>();
+  parameters.faults.room_updated = updated;
+  Dsmc<2> dsmc = simulation<2>(parameters, 9);
+  double above = 0;
+  for (std::uint64_t step = 0; step < 200; ++step) {
+    const std::vector<std::uint32_t> before(dsmc.view().offsets.begin(), dsmc.view().offsets.end());
+    dsmc.step(0.2, step);
+    const auto after = dsmc.view().offsets;
+    for (std::size_t cell = 0; cell + 1 < before.size(); ++cell)
+      above += std::max(0.0, static_cast<double>(after[cell + 1] - after[cell]) -
+                                 std::max(10.0, static_cast<double>(before[cell + 1] - before[cell])));
+  }
+  return above;
+}
+
+/// The planted fault: cells that fill up in the order of work take in fewer.
+TEST(ExcludedVolume, RoomIsThatOfTheStartOfTheStep) {
+  EXPECT_GT(taken_in_above_room(false), 2 * taken_in_above_room(true));
+}
+
 template <int D>
 void expect_conservation() {
   Dsmc<D> dsmc = simulation<D>(hybrid<D>(1), 9);

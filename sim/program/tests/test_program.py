@@ -37,6 +37,13 @@ def run(*arguments, folder=None, **options):
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=120, check=False, **options)
 
 
+def wait_for(path):
+    deadline = time.monotonic() + 60
+    while not path.exists() and time.monotonic() < deadline:
+        time.sleep(0.001)
+    assert path.exists()
+
+
 @pytest.fixture
 def scene(tmp_path):
     path = tmp_path / "gas.toml"
@@ -49,6 +56,13 @@ def test_every_list_has_names_and_summaries(what):
     entries = json.loads(run("list", what, "--json").stdout)
     assert len(entries) > 3
     assert all(entry["name"] and entry["summary"] for entry in entries)
+
+
+def test_law_without_arguments_says_what_it_takes_and_how_to_try_it():
+    card = run("law", "haff-time-scale")
+    assert card.returncode == 0 and "restitution" in card.stdout and "none, give it" in card.stdout
+    line = next(line for line in card.stdout.splitlines() if line.startswith("try: sandglass "))
+    assert run(*line.removeprefix("try: sandglass ").split()).returncode == 0
 
 
 def test_law_prints_value_units_and_source():
@@ -99,6 +113,79 @@ def test_a_record_is_not_replaced_unasked(scene, tmp_path):
     assert refused.returncode == 2 and "--overwrite" in refused.stderr
     assert (tmp_path / "gas.h5").read_bytes() == before
     assert run("run", scene.name, "--overwrite", folder=tmp_path).returncode == 0
+
+
+@pytest.mark.parametrize("output,words", [("gas.toml", "is what the command reads"), ("/dev/null", "no regular file"),
+                                          ("missing/gas.h5", "no such folder"), (".", "is a folder")])
+def test_a_record_never_takes_the_place_of(output, words, scene, tmp_path):
+    before = scene.read_bytes()
+    refused = run("run", scene.name, "--overwrite", "-o", output, folder=tmp_path)
+    assert refused.returncode == 2 and words in refused.stderr
+    assert scene.read_bytes() == before and os.listdir(tmp_path) == ["gas.toml"]
+
+
+def test_exports_replace_neither_their_record_nor_anything_unasked(scene, tmp_path):
+    assert run("run", scene.name, "--quiet", folder=tmp_path).returncode == 0
+    before = (tmp_path / "gas.h5").read_bytes()
+    refused = run("export", "gas.h5", "--format", "csv", "--overwrite", "-o", "gas.h5", folder=tmp_path)
+    assert refused.returncode == 2 and "is what the command reads" in refused.stderr
+    assert (tmp_path / "gas.h5").read_bytes() == before
+    (tmp_path / "gas-estimates.csv").write_text("mine")
+    refused = run("export", "gas.h5", "--format", "csv", folder=tmp_path)
+    assert refused.returncode == 2 and "gas-estimates.csv: exists already" in refused.stderr
+    assert not (tmp_path / "gas.csv").exists() and (tmp_path / "gas-estimates.csv").read_text() == "mine"
+    assert run("export", "gas.h5", "--format", "csv", "--overwrite", folder=tmp_path).returncode == 0
+
+
+def test_record_of_a_scene_with_a_dot_in_its_name(scene, tmp_path):
+    scene.rename(tmp_path / "nu-0.25.toml")
+    assert run("run", "nu-0.25.toml", "--quiet", folder=tmp_path).returncode == 0
+    assert sorted(os.listdir(tmp_path)) == ["nu-0.25.h5", "nu-0.25.toml"]
+
+
+def test_two_runs_never_share_a_record(scene, tmp_path):
+    scene.write_text(SCENE.replace("STEPS", "10000000").replace("{ steps = 100 }", "{ steps = 1000000 }"))
+    first = subprocess.Popen([str(PROGRAM), "run", "gas.toml", "--quiet"], cwd=tmp_path, stderr=subprocess.PIPE)
+    try:
+        wait_for(tmp_path / "gas.checkpoint.h5.lock")
+        refused = run("run", scene.name, "--overwrite", folder=tmp_path)
+    finally:
+        first.kill()
+        first.wait()
+    assert refused.returncode == 2 and "another command is writing it" in refused.stderr
+    scene.write_text(SCENE.replace("STEPS", "10"))
+    assert run("run", scene.name, "--quiet", folder=tmp_path).returncode == 0, "locks of killed runs hold nobody up"
+    assert sorted(os.listdir(tmp_path)) == ["gas.h5", "gas.toml"]
+
+
+def test_a_run_replaces_no_checkpoint_unasked_and_names_leftovers(scene, tmp_path):
+    (tmp_path / "gas.checkpoint.h5").write_text("of a run that was killed")
+    (tmp_path / "gas.h5.part-4711").write_text("of another")
+    refused = run("run", scene.name, folder=tmp_path)
+    assert refused.returncode == 2 and "sandglass resume gas.checkpoint.h5" in refused.stderr
+    assert (tmp_path / "gas.checkpoint.h5").read_text() == "of a run that was killed"
+    (tmp_path / "gas.h5.part-4711").write_text("of another")
+    finished = run("run", scene.name, "--overwrite", folder=tmp_path)
+    assert finished.returncode == 0 and "gas.h5.part-4711" in finished.stderr
+    assert sorted(os.listdir(tmp_path)) == ["gas.h5", "gas.toml"]
+
+
+def test_what_appears_at_the_record_meanwhile_is_kept(scene, tmp_path):
+    scene.write_text(SCENE.replace("STEPS", "30000").replace("{ steps = 100 }", "{ steps = 10000 }"))
+    started = subprocess.Popen([str(PROGRAM), "run", "gas.toml", "--quiet"], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    wait_for(tmp_path / "gas.checkpoint.h5.lock")
+    (tmp_path / "gas.h5").write_text("mine")
+    message = started.communicate(timeout=120)[1]
+    assert started.returncode == 0 and "gas-1.h5" in message
+    assert (tmp_path / "gas.h5").read_text() == "mine" and (tmp_path / "gas-1.h5").stat().st_size > 1000
+
+
+def test_an_event_trace_replaces_no_scene(tmp_path):
+    text = HARD_DISKS.replace("events.csv", "disks.toml")
+    (tmp_path / "disks.toml").write_text(text)
+    refused = run("run", "disks.toml", "--overwrite", folder=tmp_path)
+    assert refused.returncode == 2 and "is what the command reads" in refused.stderr
+    assert (tmp_path / "disks.toml").read_text() == text
 
 
 def test_plan_says_what_is_left_out(scene, tmp_path):

@@ -51,18 +51,20 @@ void write_estimate(AtomicFile& file, const Estimate& estimate) {
 
 }  // namespace
 
-Paths export_csv(const Record& record, const std::string& path, const ParticleShape&) {
-  const std::string estimates_path = without_ending(path, ".csv") + "-estimates.csv";
-  AtomicFile series(path);
+Paths csv_paths(const Record&, const std::string& path) {
+  return {path, without_ending(path, ".csv") + "-estimates.csv"};
+}
+
+void export_csv(const Record& record, const Paths& paths, const ParticleShape&) {
+  AtomicFile series(paths[0]);
   series.write("quantity,component,units,bin_low,bin_high,replica,step,time,value\n");
   for (std::size_t replica = 0; replica < record.replicas.size(); ++replica)
     for (const Series& one : record.replicas[replica].series) write_series(series, one, replica);
-  AtomicFile estimates(estimates_path);
+  AtomicFile estimates(paths[1]);
   estimates.write("quantity,component,units,bin_low,bin_high,value,standard_error,effective_samples\n");
   for (const Estimate& estimate : record.estimates) write_estimate(estimates, estimate);
   series.commit();
   estimates.commit();
-  return {path, estimates_path};
 }
 
 }  // namespace sandglass

@@ -7,20 +7,28 @@
 namespace sandglass {
 namespace {
 
-using Export = Paths (*)(const Record&, const std::string&, const ParticleShape&);
-
 struct Entry {
   ExportFormat format;
-  Export write;
+  Paths (*paths)(const Record&, const std::string&);
+  void (*write)(const Record&, const Paths&, const ParticleShape&);
   bool needs_trajectory;
 };
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {
-      {{"vtp", "one .vtp file per frame and a .pvd that lists them, for ParaView"}, export_vtp, true},
-      {{"xyz", "extended XYZ with every frame, for OVITO and ASE"}, export_xyz, true},
-      {{"mdanalysis", "H5MD padded to three dimensions, for MDAnalysis"}, export_mdanalysis, true},
-      {{"csv", "series, and beside them the estimates, as comma-separated tables"}, export_csv, false}};
+      {{"vtp", "one .vtp file per frame and a .pvd that lists them, for ParaView"},
+       vtp_paths,
+       export_vtp,
+       true},
+      {{"xyz", "extended XYZ with every frame, for OVITO and ASE"}, xyz_paths, export_xyz, true},
+      {{"mdanalysis", "H5MD padded to three dimensions, for MDAnalysis"},
+       mdanalysis_paths,
+       export_mdanalysis,
+       true},
+      {{"csv", "series, and beside them the estimates, as comma-separated tables"},
+       csv_paths,
+       export_csv,
+       false}};
   return all;
 }
 
@@ -44,13 +52,20 @@ const std::vector<ExportFormat>& export_formats() {
   return formats;
 }
 
-std::vector<std::string> export_record(const Record& record, const std::string& format,
-                                       const std::string& path, const ParticleShape& shape) {
+std::vector<std::string> export_paths(const Record& record, const std::string& format,
+                                      const std::string& path) {
   const Entry& entry = entry_of(format);
   if (entry.needs_trajectory && record.trajectory.empty())
     throw InputError("the record holds no trajectory, which the format '" + format +
                      "' needs: add 'trajectory = { steps = 100 }' to [output] of the scene and run it again");
-  return entry.write(record, path, shape);
+  return entry.paths(record, path);
+}
+
+std::vector<std::string> export_record(const Record& record, const std::string& format,
+                                       const std::string& path, const ParticleShape& shape) {
+  const Paths paths = export_paths(record, format, path);
+  entry_of(format).write(record, paths, shape);
+  return paths;
 }
 
 std::vector<double> in_space(const std::vector<double>& vectors, int dimension) {

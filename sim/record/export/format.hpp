@@ -6,11 +6,15 @@ namespace sandglass {
 
 using Paths = std::vector<std::string>;
 
-// One function per format; each returns the paths that it wrote.
-Paths export_vtp(const Record& record, const std::string& path, const ParticleShape& shape);
-Paths export_xyz(const Record& record, const std::string& path, const ParticleShape& shape);
-Paths export_mdanalysis(const Record& record, const std::string& path, const ParticleShape& shape);
-Paths export_csv(const Record& record, const std::string& path, const ParticleShape& shape);
+// One function per format; each writes the paths that the function beside it names.
+Paths vtp_paths(const Record& record, const std::string& path);
+void export_vtp(const Record& record, const Paths& paths, const ParticleShape& shape);
+Paths xyz_paths(const Record& record, const std::string& path);
+void export_xyz(const Record& record, const Paths& paths, const ParticleShape& shape);
+Paths mdanalysis_paths(const Record& record, const std::string& path);
+void export_mdanalysis(const Record& record, const Paths& paths, const ParticleShape& shape);
+Paths csv_paths(const Record& record, const std::string& path);
+void export_csv(const Record& record, const Paths& paths, const ParticleShape& shape);
 
 /// vector[particle][3] from vector[particle][dimension]: z = 0 in two dimensions.
 std::vector<double> in_space(const std::vector<double>& vectors, int dimension);

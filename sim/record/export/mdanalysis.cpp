@@ -49,16 +49,18 @@ void write_box(const hdf5::Writer& trajectory, const Record& record, const Parti
 
 }  // namespace
 
-Paths export_mdanalysis(const Record& record, const std::string& path, const ParticleShape& shape) {
-  const std::string target = without_ending(path, ".h5md") + ".h5md";
+Paths mdanalysis_paths(const Record&, const std::string& path) {
+  return {without_ending(path, ".h5md") + ".h5md"};
+}
+
+void export_mdanalysis(const Record& record, const Paths& paths, const ParticleShape& shape) {
   const std::vector<Frame> frames = frames_in_space(record);
-  hdf5::write_whole_file(target, [&](const hdf5::Writer& root) {
+  hdf5::write_whole_file(paths.front(), [&](const hdf5::Writer& root) {
     schema::write_convention(root, record.provenance);
     const hdf5::Writer trajectory = root.group("particles").group("trajectory");
     write_box(trajectory, record, shape);
     schema::write_trajectory(trajectory, frames, 3);
   });
-  return {target};
 }
 
 }  // namespace sandglass

@@ -82,19 +82,24 @@ void write_whole(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-Paths export_vtp(const Record& record, const std::string& path, const ParticleShape& shape) {
+Paths vtp_paths(const Record& record, const std::string& path) {
   const std::string stem = without_ending(path, ".pvd");
-  std::string list = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
   Paths paths;
-  for (const Frame& frame : record.trajectory) {
-    paths.push_back(fmt::format("{}-{:06}.vtp", stem, paths.size()));
-    write_whole(paths.back(), polydata(frame, record.dimension, shape));
-    list += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time,
-                        escaped(std::filesystem::path(paths.back()).filename()));
-  }
+  for (std::size_t frame = 0; frame < record.trajectory.size(); ++frame)
+    paths.push_back(fmt::format("{}-{:06}.vtp", stem, frame));
   paths.push_back(stem + ".pvd");
-  write_whole(paths.back(), list + "</Collection>\n</VTKFile>\n");
   return paths;
+}
+
+void export_vtp(const Record& record, const Paths& paths, const ParticleShape& shape) {
+  std::string list = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
+  for (std::size_t index = 0; index < record.trajectory.size(); ++index) {
+    const Frame& frame = record.trajectory[index];
+    write_whole(paths[index], polydata(frame, record.dimension, shape));
+    list += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time,
+                        escaped(std::filesystem::path(paths[index]).filename()));
+  }
+  write_whole(paths.back(), list + "</Collection>\n</VTKFile>\n");
 }
 
 }  // namespace sandglass

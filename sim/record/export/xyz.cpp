@@ -65,11 +65,12 @@ std::string frame_text(const Record& record, const Frame& frame, const ParticleS
 
 }  // namespace
 
-Paths export_xyz(const Record& record, const std::string& path, const ParticleShape& shape) {
-  AtomicFile file(path);
+Paths xyz_paths(const Record&, const std::string& path) { return {path}; }
+
+void export_xyz(const Record& record, const Paths& paths, const ParticleShape& shape) {
+  AtomicFile file(paths.front());
   for (const Frame& frame : record.trajectory) file.write(frame_text(record, frame, shape));
   file.commit();
-  return {path};
 }
 
 }  // namespace sandglass

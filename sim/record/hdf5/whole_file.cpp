@@ -24,7 +24,8 @@ void write_part(AtomicFile& target, const std::function<void(const Writer&)>& fi
 
 }  // namespace
 
-void write_whole_file(const std::string& path, const std::function<void(const Writer&)>& fill) {
+std::string write_whole_file(const std::string& path, const std::function<void(const Writer&)>& fill,
+                             Existing existing) {
   const Session session;
   AtomicFile file(path);
   try {
@@ -32,7 +33,7 @@ void write_whole_file(const std::string& path, const std::function<void(const Wr
   } catch (const Failure& failure) {
     throw RunError("cannot write '" + path + "': " + failure.what());
   }
-  file.commit();
+  return file.commit(existing);
 }
 
 }  // namespace sandglass::hdf5

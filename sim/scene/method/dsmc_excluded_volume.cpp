@@ -75,6 +75,8 @@ void read_excluded_volume(Table& table, DsmcOptions& dsmc) {
     curve->require("fraction", dsmc.entry_curve.at, "rising fractions, for example [0.5, 0.8]");
     curve->require("probability", dsmc.entry_curve.value, "of entering at each, for example [1.0, 0.0]");
     curve->finish();
+    if (curve->clean() && dsmc.entry_curve.at.empty() && dsmc.entry_curve.value.empty())
+      table.refuse("entry-probability", "is empty; give at least one point, or leave it out for the default");
   }
   table.read("offset-in-full-cells", dsmc.offset_in_full_cells);
 }

@@ -39,10 +39,15 @@ const std::vector<ObserverKind>& observer_kinds() {
        {"axis", "position", "range", "bins"},
        ObserverSetting::plane},
       {{"fields", "number density, mean velocity and granular temperature on a grid of bins"}, {"grid"}},
+      {{"energy-flux", "flux of the kinetic energy that particles carry, on a grid of bins"}, {"grid"}},
+      {{"species-density", "number density of each species on a grid of bins"}, {"grid"}},
       {{"shear-mode", "amplitude of the velocity along x as a sine of y"}, {}},
       {{"rotational-energy", "rotational energy of all particles, and their rotational granular temperature"},
        {},
        ObserverSetting::spins},
+      {{"species", "granular temperature of each species, and collisions by pair of species"},
+       {},
+       ObserverSetting::mixture},
       {{"impact-parameter",
         "histogram of the impact parameter of the collisions, in units of the contact distance"},
        {"bins"},
@@ -66,7 +71,11 @@ const std::vector<ObserverKind>& observer_kinds() {
       {{"free-surface",
         "largest coordinate along an axis over each bin of the others: the surface of a heap"},
        {"axis", "grid"}},
-      {{"kinetic-stress", "kinetic part of the pressure tensor on a grid of bins"}, {"grid"}}};
+      {{"kinetic-stress", "kinetic part of the pressure tensor on a grid of bins"}, {"grid"}},
+      {{"two-fluids",
+        "density on a grid of bins and mean place of the first species and of all others, and their mixing "
+        "index"},
+       {"grid"}}};
   return list;
 }
 

@@ -1,0 +1,94 @@
+"""Figures of a source: the list is whole, what can be drawn is drawn, what cannot says why."""
+
+import re
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from analysis.errors import InputError
+from analysis.load import load_report
+from analysis.source import heap, runs
+from analysis.source.build import source_figures
+from analysis.source.catalogue import DRAWINGS, catalogue
+from analysis.tests.test_comparison import write_run
+from analysis.tests.test_grid import row, write
+
+SCENE = '[domain]\nsize = [20.0, 20.0]\n[[species]]\ncount = 50\nrestitution = 0.8\n[method]\nweight = 2.0\n'
+
+
+def report_of(folder, case, point, variants):
+    """A report whose runs of one case are those of the clustering gas."""
+    import json
+    write(folder, *(row("check", case=case, variant=variant, point=point) for variant in variants))
+    path = folder / "evidence" / f"{case}.json"
+    content = json.loads(path.read_text(encoding="utf-8"))
+    for run in content["runs"]:
+        run |= {"record": f"records/{run['variant']}.h5", "scene": SCENE}
+        write_run(folder / run["record"], run["variant"] == "event-driven")
+    path.write_text(json.dumps(content), encoding="utf-8")
+    return load_report(folder)
+
+
+def test_every_figure_is_listed_once_and_drawn_or_explained():
+    figures = catalogue("MUL").figures
+    assert [item.number for item in figures] == [f"3.{number}" for number in range(2, 45)]
+    assert {item.number for item in figures if item.case} == DRAWINGS["MUL"].keys()
+
+
+def test_the_page_of_the_documentation_names_what_is_missing():
+    text = (Path(__file__).parent.parent.parent / "docs" / "report.md").read_text(encoding="utf-8")
+    for item in catalogue("MUL").figures:
+        if item.missing:
+            assert re.search(rf"\b{re.escape(item.number)}[,:]", text), item.number
+
+
+def test_ours_stands_beside_the_words_of_the_source(tmp_path):
+    report = report_of(tmp_path, "clustering", "large", ("event-driven", "cba"))
+    page, drawn = source_figures("MUL", report, tmp_path)
+    shown = {item.figure.number for item in drawn if item.picture}
+    assert shown == {"3.6", "3.7", "3.9", "3.10"}
+    for number in shown:
+        assert (tmp_path / "figures" / f"source-MUL-{number}.png").stat().st_size > 5000
+    text = page.read_text(encoding="utf-8")
+    assert "leaves Haff&#39;s law at t/t0 = 2" in text and "figures/source-MUL-3.6.svg" in text
+    assert "the case &#39;heap&#39; is not in this report" in text and "a sketch" in text
+
+
+def test_what_a_report_lacks_is_said(tmp_path):
+    report = report_of(tmp_path, "heap", "plane", ("hsmc",))
+    _, drawn = source_figures("MUL", report, tmp_path)
+    reasons = {item.figure.number: item.lacking for item in drawn}
+    assert reasons["3.24"] == "no heap of hsmc on a plane" or "free-surface" in reasons["3.24"]
+    assert "two" in reasons["3.27"] and "one boundary" in reasons["3.31"]
+
+
+def test_an_unknown_source_and_a_foreign_report_are_refused(tmp_path):
+    report = report_of(tmp_path, "gas", "large", ("hsmc",))
+    with pytest.raises(InputError, match="no figures of a source 'KAW'"):
+        source_figures("KAW", report, tmp_path)
+    with pytest.raises(InputError, match="no case that draws"):
+        source_figures("MUL", report, tmp_path)
+
+
+def test_the_fraction_counts_real_particles():
+    assert runs.Kept("dsmc", "", SCENE, None).fraction == pytest.approx(100 * np.pi / 4 / 400)
+    given = SCENE.replace("count = 50", "area-fraction = 0.3")
+    assert runs.Kept("dsmc", "", given, None).fraction == 0.3
+
+
+@pytest.mark.parametrize("slope, tail", [(0.4, 3.0), (0.3, 0.0)])
+def test_the_tail_is_found_in_an_exact_shape(slope, tail):
+    height = np.geomspace(0.6, 19.9, 60)
+    x = (20 - height) / slope + tail * np.log(20 / height)
+    found = heap.fit_tail(np.concatenate([-x, x]), np.concatenate([height, height]))
+    assert found == pytest.approx((20, slope, tail), rel=0.05, abs=0.01 * 20)   # two steps of the range of h_m
+
+
+def test_an_error_needs_two_replicas():
+    assert runs.mean_error([[1.0, 2.0]])[1].tolist() == [0, 0]
+    mean, error = runs.mean_error([[1.0], [3.0]])
+    assert (mean[0], error[0]) == (2, pytest.approx(1))
+    with pytest.raises(runs.Lacking, match="0 of 1 runs of hsmc"):
+        runs.CaseRuns(SimpleNamespace(runs=[]), None).choose("*", "hsmc")
