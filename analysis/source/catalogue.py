@@ -4,11 +4,12 @@ from dataclasses import dataclass
 
 from analysis.checked import read_toml
 from analysis.errors import InputError
-from analysis.source import bed, clustering, cooling, correlations, heap, pipe, shear
+from analysis.source import bed, clustering, cooling, correlations, heap, mixing, pipe, shear
 from analysis.source.methods import FOLDER
 
 DRAWINGS = {"MUL": cooling.FIGURES | clustering.FIGURES | shear.FIGURES | pipe.FIGURES | heap.FIGURES
-            | correlations.FIGURES | bed.FIGURES}
+            | correlations.FIGURES | bed.FIGURES,
+            "GRE": mixing.FIGURES}
 
 
 @dataclass(frozen=True)

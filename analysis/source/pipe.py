@@ -40,8 +40,14 @@ def _space_time(runs, number, title, label, stem):
     finish(picture, number, title, stem)
 
 
-def _by_restitution(runs):
-    return sorted(runs, key=lambda run: -run.species["restitution"])
+def _length(run):
+    return run.scene["domain"]["size"][-1]
+
+
+def _by_restitution(runs, length):
+    """One run for each restitution, the largest first: of several the one whose `length` of the pipe is least."""
+    chosen = {run.species["restitution"]: run for run in sorted(runs, key=lambda run: -length(run))}
+    return [chosen[key] for key in sorted(chosen, reverse=True)]
 
 
 def _restitution(run):
@@ -49,13 +55,13 @@ def _restitution(run):
 
 
 def draw_waves(case, stem):
-    runs = _by_restitution(_falling(case, nu=0.38))
+    runs = _by_restitution(_falling(case, nu=0.38, p=0.1), _length)
     _space_time([runs[0], runs[-1]] if len(runs) > 1 else runs, "3.17",
                 "Density along the pipe: waves for r = 0 (black: area fraction 0.85)", _restitution, stem)
 
 
 def draw_slice(case, stem):
-    runs = _by_restitution(_falling(case, nu=0.38))
+    runs = _by_restitution(_falling(case, nu=0.38, p=0.1), _length)
     runs = [runs[0], runs[-1]] if len(runs) > 1 else runs
     picture, [row] = panels(len(runs))
     for panel, run in zip(row, runs):
@@ -67,7 +73,7 @@ def draw_slice(case, stem):
 
 
 def draw_spectra(case, stem):
-    runs = _by_restitution(_falling(case, nu=0.38))
+    runs = _by_restitution(_falling(case, nu=0.38, p=0.1), lambda run: -_length(run))
     picture, [[panel]] = panels()
     for index, run in enumerate(runs):
         frequency, power = pictures.mean_spectrum(pictures.load_slices(run.path))
@@ -101,41 +107,55 @@ def draw_exponent_restitution(case, stem):
 
 
 def draw_exponent_others(case, stem):
-    rough, dense = (_exponents(case, _roughness, r=0.0), _exponents(case, _fraction, r=0.0, p=0.1))
-    if len(set(rough[:, 0])) < 2 and len(dense) < 2:
+    rough = {nu: _exponents(case, _roughness, r=0.0, nu=nu) for nu in (0.38, 0.6)}
+    dense = _exponents(case, _fraction, r=0.0, p=0.1)
+    if max(len(set(rows[:, 0])) for rows in rough.values()) < 2 and len(set(dense[:, 0])) < 2:
         raise Lacking("exponents at one roughness and one area fraction: a curve needs two")
-    picture, [row] = panels(2)
-    for panel, rows, label in zip(row, (rough, dense), ("wall roughness p", "area fraction")):
-        marks(panel, *rows.T, color="#0072b2", linestyle="-")
-        panel.set(xlabel=label, ylabel="exponent")
+    picture, [[left, right]] = panels(2)
+    for (nu, rows), colour in zip(rough.items(), ("#0072b2", "#d55e00")):
+        if len(rows):
+            marks(left, *rows.T, color=colour, linestyle="-", label=f"area fraction {nu:g}")
+    left.legend()
+    left.set(xlabel="wall roughness p", ylabel="exponent", xscale="log")
+    marks(right, *dense.T, color="#0072b2")
+    right.set(xlabel="area fraction", ylabel="exponent")
     finish(picture, "3.21", "Exponent against roughness and density, r = 0", stem)
 
 
 def _flow_rate(run):
-    """nu times the mean velocity along gravity in the second half: mean, error."""
-    series = run.series("momentum")
-    area = np.prod(run.scene["domain"]["size"])
-    particles = run.species.get("count") or _fraction(run) * area / (np.pi / 4)
-    return mean_error([-_fraction(run) * item.value[len(item.value) // 2:, -1].mean() / particles
-                       for item in series])
+    """nu times the mean velocity along gravity in the second half, from passages of a plane: mean, error.
+
+    Not from the momentum: particles that are refused their moves keep velocities with which they do not move.
+    """
+    rates = []
+    for item in run.series("crossing-count"):
+        half = len(item.time) // 2
+        up, down = item.value[-1] - item.value[half]
+        rates.append((down - up) / (item.time[-1] - item.time[half]))
+    return mean_error(np.array(rates) / run.scene["domain"]["size"][0] * np.pi / 4)
 
 
 def draw_flow_rate(case, stem):
-    runs = sorted(_falling(case, r=0.0, p=0.1), key=_fraction)
+    runs = [run for run in sorted(_falling(case, r=0.0, p=0.1), key=_fraction)
+            if any(item["what"] == "crossings" for item in run.scene["observe"])]
     if len({_fraction(run) for run in runs}) < 2:
         raise Lacking("flow at one area fraction: a diagram needs two")
     rows = np.array([(_fraction(run), *_flow_rate(run)) for run in runs])
     picture, [[panel]] = panels()
-    marks(panel, *rows.T, color="#0072b2", linestyle="-")
+    marks(panel, *rows.T, color="#0072b2", label="starts of different speed")
+    slope = rows[0, 1] / rows[0, 0]
+    panel.plot([0, 0.6], [0, 0.6 * slope], ":", color=BLACK, label="proportional, through our first")
+    panel.legend()
     panel.set(xlabel="area fraction", ylabel="flow rate (area fraction × velocity)", xlim=(0, 1), ylim=(0, None))
     finish(picture, "3.22", "Flow rate against area fraction, r = 0", stem)
 
 
 def draw_densities(case, stem):
     runs = {_fraction(run): run for run in _falling(case, r=0.0, p=0.1)}
-    if len(runs) < 2:
-        raise Lacking("flow at one area fraction")
-    _space_time([runs[key] for key in sorted(runs)], "3.23", "Density along the pipe at several area fractions, r = 0",
+    shown = [nu for nu in (0.3, 0.75, 0.88) if nu in runs]
+    if len(shown) < 2:
+        raise Lacking("fewer than two of the area fractions 0.3, 0.75 and 0.88")
+    _space_time([runs[nu] for nu in shown], "3.23", "Density along the pipe at three area fractions, r = 0",
                 lambda run: f"area fraction {_fraction(run):g}", stem)
 
 

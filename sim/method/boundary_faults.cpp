@@ -11,6 +11,19 @@ void change_surfaces(Scene& scene, Change change) {
   for (Obstacle& obstacle : scene.obstacles) change(obstacle.surface);
 }
 
+/// A table for each mirror that the scene says no more of.
+void name_mirrors(Scene& scene) {
+  for (int axis = 0; axis < static_cast<int>(scene.domain.sides.size()); ++axis)
+    for (const bool high : {false, true}) {
+      const auto here = [&](const Wall& wall) { return wall.axis == axis && wall.high == high; };
+      const Side side = scene.domain.sides[static_cast<std::size_t>(axis)][high ? 1 : 0];
+      if (side != Side::specular || std::ranges::any_of(scene.walls, here)) continue;
+      scene.walls.emplace_back();
+      scene.walls.back().axis = axis;
+      scene.walls.back().high = high;
+    }
+}
+
 void scale_gravity(Scene& scene, double factor) {
   for (double& component : scene.gravity) component *= factor;
 }
@@ -28,6 +41,28 @@ const std::vector<FaultEntry<SceneChange>>& boundary_faults() {
        }},
       {{"wall-restitution-dropped", "walls and obstacles lose no energy of the normal motion"},
        [](Scene& scene) { change_surfaces(scene, [](SurfaceRule& surface) { surface.restitution = 1; }); }},
+      {{"mirrors-lose-2-percent", "specular walls keep 2% less of the normal velocity"},
+       [](Scene& scene) {
+         name_mirrors(scene);
+         for (Wall& wall : scene.walls)
+           if (wall.surface.rule == SurfaceKind::specular) wall.surface.restitution *= 0.98;
+       }},
+      {{"thermal-surfaces-draw-maxwellian",
+        "normal velocities from thermal walls and obstacles are Maxwell's instead of its flux"},
+       [](Scene& scene) {
+         change_surfaces(scene, [](SurfaceRule& surface) {
+           if (surface.rule == SurfaceKind::thermal) surface.probability = 0;
+         });
+       }},
+      {{"wall-temperature-plus-10-percent", "thermal walls and obstacles at 1.1 times their temperature"},
+       [](Scene& scene) {
+         change_surfaces(scene, [](SurfaceRule& surface) { surface.temperature *= 1.1; });
+       }},
+      {{"high-walls-lossless", "walls at the high sides lose no energy of the normal motion"},
+       [](Scene& scene) {
+         for (Wall& wall : scene.walls)
+           if (wall.high) wall.surface.restitution = 1;
+       }},
       {{"wall-temperature-plus-20-percent", "thermal walls and obstacles at 1.2 times their temperature"},
        [](Scene& scene) {
          change_surfaces(scene, [](SurfaceRule& surface) { surface.temperature *= 1.2; });
@@ -60,10 +95,21 @@ const std::vector<FaultEntry<SceneChange>>& exchange_faults() {
   return all;
 }
 
-Scene with_boundary_fault(const Scene& scene, const std::string& name) {
+const std::vector<FaultEntry<SceneChange>>& step_faults() {
+  static const std::vector<FaultEntry<SceneChange>> all = {
+      {{"cell-fraction-times-5", "steps five times as long as their part of a cell allows"},
+       [](Scene& scene) {
+         if (auto& fraction = scene.method.time_step.cell_fraction) *fraction *= 5;
+       }},
+  };
+  return all;
+}
+
+Scene with_scene_fault(const Scene& scene, const std::string& name) {
   Scene faulty = scene;
   plant(boundary_faults(), name, faulty);
   plant(exchange_faults(), name, faulty);
+  plant(step_faults(), name, faulty);
   return faulty;
 }
 

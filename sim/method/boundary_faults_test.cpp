@@ -11,6 +11,7 @@ Scene driven_scene() {
   Scene scene;
   scene.domain = {2, {10, 20}, {{Side::open, Side::specular}, {Side::specular, Side::open}}};
   scene.gravity = {0, -1};
+  scene.method.time_step = {{}, {}, 0.3};
   scene.walls.resize(2);
   scene.walls[0].high = true;
   scene.walls[0].surface = {SurfaceKind::bounce_back, 0.5};
@@ -30,7 +31,7 @@ void expect_only(const std::string& fault, Change change) {
   Scene expected = driven_scene();
   change(expected);
   EXPECT_NE(expected, driven_scene());
-  EXPECT_EQ(with_boundary_fault(driven_scene(), fault), expected) << fault;
+  EXPECT_EQ(with_scene_fault(driven_scene(), fault), expected) << fault;
 }
 
 TEST(BoundaryFaults, ChangeWhatTheySay) {
@@ -43,6 +44,12 @@ TEST(BoundaryFaults, ChangeWhatTheySay) {
   expect_only("wall-restitution-dropped", [](Scene& scene) {
     scene.walls[0].surface.restitution = scene.obstacles[0].surface.restitution = 1;
   });
+  expect_only("thermal-surfaces-draw-maxwellian",
+              [](Scene& scene) { scene.walls[1].surface.probability = 0; });
+  expect_only("wall-temperature-plus-10-percent",
+              [](Scene& scene) { scene.walls[1].surface.temperature = 1.1 * 2; });
+  expect_only("high-walls-lossless", [](Scene& scene) { scene.walls[0].surface.restitution = 1; });
+  expect_only("cell-fraction-times-5", [](Scene& scene) { scene.method.time_step.cell_fraction = 1.5; });
   expect_only("wall-temperature-plus-20-percent",
               [](Scene& scene) { scene.walls[1].surface.temperature = 1.2 * 2; });
   expect_only("bounce-back-probability-ignored",
@@ -59,8 +66,25 @@ TEST(BoundaryFaults, ChangeWhatTheySay) {
 }
 
 TEST(BoundaryFaults, NoneChangesNothing) {
-  EXPECT_EQ(with_boundary_fault(driven_scene(), ""), driven_scene());
+  EXPECT_EQ(with_scene_fault(driven_scene(), ""), driven_scene());
   EXPECT_EQ(boundary_faults().size() + exchange_faults().size(), 10u);
+}
+
+/// Each mirror gets a table, whether the scene has one or not; the open and the thermal side stay as they are.
+TEST(BoundaryFaults, LossOfMirrorsReachesThoseWithoutATable) {
+  Scene scene;
+  scene.domain = {2, {10, 20}, {{Side::periodic, Side::periodic}, {Side::specular, Side::specular}}};
+  scene.walls.resize(1);
+  scene.walls[0].axis = 1;
+  Scene expected = scene;
+  expected.walls.resize(2);
+  expected.walls[1].axis = 1;
+  expected.walls[1].high = true;
+  for (Wall& wall : expected.walls) wall.surface.restitution = 0.98;
+  EXPECT_EQ(with_boundary_fault(scene, "mirrors-lose-2-percent"), expected);
+  scene.walls[0].surface.rule = expected.walls[0].surface.rule = SurfaceKind::thermal;
+  expected.walls[0].surface.restitution = 1;
+  EXPECT_EQ(with_boundary_fault(scene, "mirrors-lose-2-percent"), expected);
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 namespace sandglass {
 
 template <int D>
-CellSimulator<D>::CellSimulator(const LatticeOfCells<D>& cells, const SpeciesTraits& traits, double weight,
-                                const motion::MotionParameters<D>& motion, const Streams& streams,
-                                const std::vector<ColumnInfo>& columns)
+CellSimulator<D>::CellSimulator(const LatticeOfCells<D>& cells, std::vector<SpeciesTraits> traits,
+                                double weight, const motion::MotionParameters<D>& motion,
+                                const Streams& streams, const std::vector<ColumnInfo>& columns)
     : streams_(streams),
       store_(cells, columns),
-      traits_(traits),
+      traits_(std::move(traits)),
       weight_(weight),
       motion_parameters_(motion),
       motion_(motion::make_motion_stage<D>(motion, cells.grid().box())) {}
@@ -29,7 +29,7 @@ View<D> CellSimulator<D>::view() {
   view.offsets = store_.offsets();
   view.box = store_.grid().box();
   view.columns = store_.columns();
-  view.traits = {&traits_, 1};
+  view.traits = traits_;
   view.weight = weight_;
   view.tally = &tally_;
   view.planes = motion_parameters_.planes;

@@ -13,8 +13,8 @@ namespace sandglass {
 template <int D>
 class CellSimulator : public Simulator<D> {
  public:
-  /// Of `columns` (docs/particle-columns.md) only those exist that are named.
-  CellSimulator(const LatticeOfCells<D>& cells, const SpeciesTraits& traits, double weight,
+  /// `traits` of each species; of `columns` (docs/particle-columns.md) only those exist that are named.
+  CellSimulator(const LatticeOfCells<D>& cells, std::vector<SpeciesTraits> traits, double weight,
                 const motion::MotionParameters<D>& motion, const Streams& streams,
                 const std::vector<ColumnInfo>& columns);
 
@@ -51,7 +51,7 @@ class CellSimulator : public Simulator<D> {
   void count_those_who_leave();
   void count_one_who_leaves(const Vector<D>& position);
 
-  SpeciesTraits traits_;
+  std::vector<SpeciesTraits> traits_;  ///< of each species
   double weight_;
   motion::MotionParameters<D> motion_parameters_;
   std::unique_ptr<motion::MotionStage<D>> motion_;

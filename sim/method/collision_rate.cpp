@@ -9,12 +9,13 @@ double mean_speed(int dimension, double thermal_speed) {
 }
 
 double thermal_speed(const Scene& scene) {
+  if (scene.initial.uniform_velocity) return *scene.initial.uniform_velocity / std::sqrt(3);
   return std::sqrt(scene.initial.temperature / scene.species.front().mass);
 }
 
 /// Relative speeds of a Maxwellian pair of reduced mass M: sqrt(pi T / 2 M) in two dimensions, sqrt(8 T / pi M) in three;
 /// Chapman & Cowling, ch. 5.
-double enskog_rate(const Scene& scene, double temperature) {
+double rate_of_points(const Scene& scene, double temperature) {
   const int dimension = scene.domain.dimension;
   const double count = static_cast<double>(particle_count(scene));
   double rate = 0;
@@ -26,7 +27,11 @@ double enskog_rate(const Scene& scene, double temperature) {
       rate +=
           number_density(scene, a) * static_cast<double>(particle_count(scene, b)) / count * section * speed;
     }
-  return contact_formula(dimension)(fraction(scene)).value * rate;
+  return rate;
+}
+
+double enskog_rate(const Scene& scene, double temperature) {
+  return contact_formula(scene.domain.dimension)(fraction(scene)).value * rate_of_points(scene, temperature);
 }
 
 }  // namespace sandglass

@@ -13,6 +13,9 @@ double mean_speed(int dimension, double thermal_speed);
 /// sqrt(T/m) of the initial state, m of the first species.
 double thermal_speed(const Scene& scene);
 
+/// Collisions per particle and time of a dilute gas of all the scene's species, at this granular temperature and the scene's
+/// mean density.
+double rate_of_points(const Scene& scene, double temperature);
 /// Enskog's collisions per particle and time of a gas of hard particles of all the scene's species, at this granular
 /// temperature and the scene's mean density.
 double enskog_rate(const Scene& scene, double temperature);

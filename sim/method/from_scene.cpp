@@ -30,6 +30,24 @@ Surface surface_of(const Scene& scene, const Species& species) {
           species.friction.value_or(kSticks)};
 }
 
+std::vector<SpeciesTraits> traits_of(const Scene& scene) {
+  std::vector<SpeciesTraits> all;
+  for (const Species& species : scene.species) {
+    const double radius = species.diameter / 2;
+    all.push_back({species.diameter, species.mass,
+                   inertia_factor(species, scene.domain.dimension) * species.mass * radius * radius});
+  }
+  return all;
+}
+
+std::vector<Surface> surfaces_of(const Scene& scene) {
+  std::vector<Surface> all;
+  for (const Species& species : scene.species)
+    for (const Species& other : scene.species)
+      all.push_back(mix(surface_of(scene, species), surface_of(scene, other)));
+  return all;
+}
+
 WallRule wall_rule_of(const Scene& scene, const SurfaceRule& surface) {
   WallRule rule;
   rule.kind = kind_of(surface.rule);

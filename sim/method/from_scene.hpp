@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/base/vector.hpp"
+#include "sim/observe/view.hpp"
 #include "sim/physics/wall.hpp"
 #include "sim/scene/scene.hpp"
 
@@ -29,6 +30,10 @@ std::array<bool, D> periodic_axes(const Scene& scene) {
 double reference_speed(const Scene& scene);
 /// Surface of a particle. The velocity-dependent guard holds for it.
 Surface surface_of(const Scene& scene, const Species& species);
+/// Diameter, mass and moment of inertia of each species.
+std::vector<SpeciesTraits> traits_of(const Scene& scene);
+/// Of species a with species b at [a * number of species + b].
+std::vector<Surface> surfaces_of(const Scene& scene);
 /// Rule of a wall or obstacle. The velocity-dependent guard holds there as well: a ball on the floor collapses as a row
 /// of particles does.
 WallRule wall_rule_of(const Scene& scene, const SurfaceRule& surface);

@@ -22,6 +22,7 @@ template <int D>
 motion::MotionParameters<D> motion_of(const Scene& scene) {
   motion::MotionParameters<D> motion;
   motion.mass = scene.species.front().mass;
+  if (scene.species.size() > 1 || is_rough(scene)) motion.species = traits_of(scene);
   motion.gravity = vector_of<D>(scene.gravity);
   for (std::size_t axis = 0; axis < D; ++axis)
     for (std::size_t high = 0; high < 2; ++high) {

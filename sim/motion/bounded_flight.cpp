@@ -44,7 +44,8 @@ std::size_t side_of(const WallSurface<D>& wall) {
 }  // namespace
 
 template <int D>
-void BoundedFlight<D>::fly(Phase<D>& particle, Random& random, const FlightCounters<D>& counters) const {
+void BoundedFlight<D>::fly(Phase<D>& particle, const Body<D>& body, Random& random,
+                           const FlightCounters<D>& counters) const {
   const double end = step_.time + step_.dt;
   double time = step_.time, left = step_.dt;
   wrap_around(particle.position);
@@ -58,9 +59,9 @@ void BoundedFlight<D>::fly(Phase<D>& particle, Random& random, const FlightCount
     move(particle, event, time, counters.planes);
     if (event.kind == Event::Kind::exit) return;
     if (event.kind == Event::Kind::wall || event.kind == Event::Kind::obstacle) {
-      turn_at(event, time, particle, random, counters.impulses);
+      turn_at(event, time, particle, body, random, counters.impulses);
       if (++hits == kMostHits && counters.impulses != nullptr && event.kind == Event::Kind::wall)
-        rest_on(event.index, time, left, *counters.impulses);
+        rest_on(event.index, time, left, body.mass, *counters.impulses);
     } else if (++pieces > kMostPieces) {
       throw RunError(
           "a particle crosses the box or its obstacles a million times in one step: time step too long?");
@@ -189,16 +190,18 @@ void BoundedFlight<D>::place_on(const Event& event, double time, Vector<D>& x) c
 }
 
 template <int D>
-void BoundedFlight<D>::turn_at(const Event& event, double time, Phase<D>& particle, Random& random,
-                               WallImpulses<D>* impulses) const {
+void BoundedFlight<D>::turn_at(const Event& event, double time, Phase<D>& particle, const Body<D>& body,
+                               Random& random, WallImpulses<D>* impulses) const {
   const Vector<D> before = particle.velocity;
-  const ParticleAtWall<D> touching{particle.velocity, nullptr, surfaces_.parameters.mass, 0, 1};
+  const ParticleAtWall<D> touching{particle.velocity, body.spin, body.mass, body.radius, body.inertia};
   if (event.kind == Event::Kind::wall) {
     const WallSurface<D>& wall = surfaces_.walls[event.index];
-    reflect<D>(wall.place.rule, wall.normal(), wall.velocity_at(time), touching, random);
+    const Vector<D> moving = wall.velocity_at(time);
+    const double energy = energy_beside(moving, touching);
+    reflect<D>(wall.place.rule, wall.normal(), moving, touching, random);
     if (impulses != nullptr)
-      impulses->add(side_of(wall), surfaces_.parameters.mass * (before - particle.velocity),
-                    wall.velocity_at(time));
+      impulses->add(side_of(wall), body.mass * (before - particle.velocity), moving,
+                    energy - energy_beside(moving, touching));
   } else {
     const ObstaclePlace<D>& obstacle = surfaces_.parameters.obstacles[event.index];
     reflect<D>(obstacle.rule, (particle.position - obstacle.centre).normalized(), Vector<D>::Zero(), touching,
@@ -207,9 +210,10 @@ void BoundedFlight<D>::turn_at(const Event& event, double time, Phase<D>& partic
 }
 
 template <int D>
-void BoundedFlight<D>::rest_on(std::size_t wall, double time, double left, WallImpulses<D>& impulses) const {
+void BoundedFlight<D>::rest_on(std::size_t wall, double time, double left, double mass,
+                               WallImpulses<D>& impulses) const {
   const WallSurface<D>& floor = surfaces_.walls[wall];
-  impulses.add(side_of(floor), surfaces_.parameters.mass * left * gravity_, floor.velocity_at(time));
+  impulses.add(side_of(floor), mass * left * gravity_, floor.velocity_at(time), 0);
 }
 
 template <int D>

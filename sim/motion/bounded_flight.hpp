@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/motion/bodies.hpp"
 #include "sim/motion/surfaces.hpp"
 #include "sim/space/particle_store.hpp"
 
@@ -26,7 +27,7 @@ class BoundedFlight {
 
   /// What starts behind a wall or in an obstacle is first put on the nearest point of the surface. Who leaves by an open
   /// side is left outside the box.
-  void fly(Phase<D>& particle, Random& random, const FlightCounters<D>& counters) const;
+  void fly(Phase<D>& particle, const Body<D>& body, Random& random, const FlightCounters<D>& counters) const;
 
  private:
   /// What ends a straight or falling piece of the path.
@@ -45,10 +46,10 @@ class BoundedFlight {
 
   void move(Phase<D>& particle, const Event& event, double time, std::vector<Plane>* planes) const;
   void place_on(const Event& event, double time, Vector<D>& x) const;
-  void turn_at(const Event& event, double time, Phase<D>& particle, Random& random,
+  void turn_at(const Event& event, double time, Phase<D>& particle, const Body<D>& body, Random& random,
                WallImpulses<D>* impulses) const;
   /// The wall carries what stays on it.
-  void rest_on(std::size_t wall, double time, double left, WallImpulses<D>& impulses) const;
+  void rest_on(std::size_t wall, double time, double left, double mass, WallImpulses<D>& impulses) const;
   /// Out of obstacles and in front of walls.
   void put_inside(double time, Vector<D>& x) const;
   bool push_out_of_one(Vector<D>& x) const;

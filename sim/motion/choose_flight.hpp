@@ -26,7 +26,7 @@ template <int D, class Function>
 auto choose_flight(const MotionParameters<D>& parameters, const Vector<D>& box, Function function) {
   if (parameters.has_open_side())
     return with_counts<SurfaceFlight<D, true>>(Surfaces<D>(parameters, box), parameters.counts(), function);
-  if (!are_plain(parameters, box))
+  if (!are_plain(parameters, box) || parameters.weighs())
     return with_counts<SurfaceFlight<D>>(Surfaces<D>(parameters, box), parameters.counts(), function);
   return parameters.gravity.isZero(0) ? with_plain_walls<D, false>(parameters, function)
                                       : with_plain_walls<D, true>(parameters, function);

@@ -24,7 +24,7 @@ class EntryKernel final : public EntryStage<D> {
   std::uint64_t fly(const auto locator, ParticleStore<D>& store, std::uint32_t first, std::uint32_t last,
                     const MotionStep& step, const CellEntries& entries) const {
     const auto offsets = store.offsets();
-    const Flight flight(surroundings_, store.grid().box(), step, offsets);
+    const Flight flight(surroundings_, store, step);
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();

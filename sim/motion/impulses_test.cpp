@@ -139,6 +139,34 @@ TEST(Impulses, OfMovingWallsDoTheWorkThatParticlesGain) {
   expect_work<3>();
 }
 
+/// What particles gain is the work of the walls less the heat that these take, whatever the rule.
+template <int D>
+void expect_heat() {
+  for (const WallKind kind :
+       {WallKind::specular, WallKind::bounce_back, WallKind::random_tangential_sign, WallKind::thermal}) {
+    MotionParameters<D> parameters = room<D>((1 << D) - 1, D - 1);
+    WallPlace<D> floor = wall<D>(D - 1, false, {kind, {{0.6}}, 1, 2}),
+                 lid = wall<D>(D - 1, true, {kind, {{0.6}}, 1, 2});
+    floor.amplitude = 0.06, floor.frequency = 2.5;
+    lid.velocity[0] = 3;
+    parameters.walls = {floor, lid};
+    WallImpulses<D> impulses;
+    parameters.impulses = &impulses;
+    auto store = scattered<D>(3);
+    const Totals<D> before = totals(store, parameters);
+    advance(*make_motion_stage<D>(parameters, box<D>()), store, {0.2, 0, wall_key(1)});
+    double gain = 0;
+    for (std::size_t side = 0; side < 2 * D; ++side) gain += impulses.work(side) - impulses.heat(side);
+    EXPECT_NEAR(totals(store, parameters).energy - before.energy, gain, 1e-9 * before.energy);
+    EXPECT_NE(impulses.heat(WallImpulses<D>::side(D - 1, false)), 0);
+    EXPECT_NEAR(impulses.heat(WallImpulses<D>::side(0, false)), 0, 1e-12 * before.energy);
+  }
+}
+TEST(Impulses, HeatIsWhatWallsTakeBesideTheirWork) {
+  expect_heat<2>();
+  expect_heat<3>();
+}
+
 /// A ball that loses its last bounces weighs on the floor all the same.
 TEST(Impulses, OfABallAtRestAreItsWeight) {
   MotionParameters<2> parameters = room<2>(2, 1);

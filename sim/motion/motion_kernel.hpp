@@ -21,7 +21,7 @@ class MotionKernel final : public MotionStage<D> {
  private:
   void fly(const auto locator, ParticleStore<D>& store, std::size_t first, std::size_t last,
            const MotionStep& step) const {
-    const Flight flight(surroundings_, store.grid().box(), step, store.offsets());
+    const Flight flight(surroundings_, store, step);
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "sim/base/random.hpp"
-#include "sim/observe/plane.hpp"
-#include "sim/observe/wall_impulses.hpp"
+#include "sim/observe/view.hpp"
 #include "sim/physics/wall.hpp"
 
 #include <array>
@@ -38,6 +37,8 @@ template <int D>
 struct MotionParameters {
   Vector<D> gravity = Vector<D>::Zero();
   double mass = 1;  ///< of each particle; thermal walls ask
+  /// Of each species, where there are several or particles spin; then columns of the particles tell the rest.
+  std::vector<SpeciesTraits> species = {};
   std::array<bool, D>
       walled{};          ///< per axis: not periodic; at each end stands a wall, unless that side is open
   bool offsets = false;  ///< collisions may have put particles outside the walls or into obstacles
@@ -53,6 +54,8 @@ struct MotionParameters {
       if (low || high) return true;
     return false;
   }
+  /// What walls take depends on the species of the particle.
+  bool weighs() const { return species.size() > 1 && impulses != nullptr; }
   bool counts() const { return (planes != nullptr && !planes->empty()) || impulses != nullptr; }
   bool walls_move() const {
     for (const WallPlace<D>& wall : walls)

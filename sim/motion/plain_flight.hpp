@@ -6,8 +6,7 @@
 #include "sim/motion/passages.hpp"
 #include "sim/space/cell_locator.hpp"
 #include "sim/space/flight.hpp"
-
-#include <span>
+#include "sim/space/particle_store.hpp"
 
 namespace sandglass::motion {
 
@@ -30,9 +29,11 @@ class PlainFlight {
   using Locator = InBox;
   using Lane = Lanes<D>;
 
-  PlainFlight(const Surroundings& parameters, const Vector<D>& box, const MotionStep& step,
-              std::span<const std::uint32_t>)
-      : parameters_(parameters), box_(box), dt_(step.dt), flight_(parameters.gravity, box, step.dt) {}
+  PlainFlight(const Surroundings& parameters, const ParticleStore<D>& store, const MotionStep& step)
+      : parameters_(parameters),
+        box_(store.grid().box()),
+        dt_(step.dt),
+        flight_(parameters.gravity, box_, step.dt) {}
 
   /// Free flight where it stays in the box, which is nearly always; else axis by axis with the boundaries. The answer is
   /// where it ends; planes and walls count if `Counts`.
@@ -110,8 +111,8 @@ class PlainFlight {
   /// A smooth elastic wall at rest takes twice the momentum that comes.
   static void give(const HitSpeeds& hits, int axis, double mass, WallImpulses<D>& impulses) {
     const Vector<D> still = Vector<D>::Zero(), along = 2 * mass * Vector<D>::Unit(axis);
-    if (hits.low > 0) impulses.add(WallImpulses<D>::side(axis, false), -hits.low * along, still);
-    if (hits.high > 0) impulses.add(WallImpulses<D>::side(axis, true), hits.high * along, still);
+    if (hits.low > 0) impulses.add(WallImpulses<D>::side(axis, false), -hits.low * along, still, 0);
+    if (hits.high > 0) impulses.add(WallImpulses<D>::side(axis, true), hits.high * along, still, 0);
   }
 
   /// Planes are normal to periodic axes: the passages are those of the unwrapped path.

@@ -25,17 +25,18 @@ class SurfaceFlight {
   using Lane = Lanes<D>;
   using Real = typename Lane::Real;
 
-  /// `offsets`: first particle of each cell before the step.
-  SurfaceFlight(const Surfaces<D>& surfaces, const Vector<D>& box, const MotionStep& step,
-                std::span<const std::uint32_t> offsets)
+  /// `store`: constant where the flight only looks; then spins stay what they are.
+  template <class Store>
+  SurfaceFlight(const Surfaces<D>& surfaces, Store& store, const MotionStep& step)
       : surfaces_(surfaces),
         dt_(step.dt),
         key_(step.key),
-        offsets_(offsets),
-        free_(surfaces.parameters.gravity, box, step.dt),
-        bounded_(surfaces, box, step),
-        box_(Lane::from(box, 0)) {
-    Vector<D> low = Vector<D>::Zero(), high = box;
+        offsets_(store.offsets()),
+        bodies_(surfaces.parameters, store),
+        free_(surfaces.parameters.gravity, store.grid().box(), step.dt),
+        bounded_(surfaces, store.grid().box(), step),
+        box_(Lane::from(store.grid().box(), 0)) {
+    Vector<D> low = Vector<D>::Zero(), high = store.grid().box();
     for (const WallSurface<D>& wall : surfaces.walls)
       (wall.place.high ? high : low)[wall.place.axis] = wall.reach(step.time, step.dt);
     low_ = Lane::from(low, -HUGE_VAL);
@@ -114,9 +115,10 @@ class SurfaceFlight {
     require_finite(particle);
     Random random = surfaces_.draws ? stream_of(i) : Random();
     if constexpr (Counts)
-      bounded_.fly(particle, random, {surfaces_.parameters.planes, surfaces_.parameters.impulses});
+      bounded_.fly(particle, bodies_[i], random,
+                   {surfaces_.parameters.planes, surfaces_.parameters.impulses});
     else
-      bounded_.fly(particle, random, {});
+      bounded_.fly(particle, bodies_[i], random, {});
     require_finite(particle);
     if constexpr (Open)
       if (surfaces_.has_left(particle.position)) return Lane::from(particle.position, 0);
@@ -132,7 +134,8 @@ class SurfaceFlight {
   const Surfaces<D>& surfaces_;
   double dt_;
   StreamKey key_;
-  std::span<const std::uint32_t> offsets_;
+  std::span<const std::uint32_t> offsets_;  ///< first particle of each cell before the step
+  Bodies<D> bodies_;
   FreeFlight<D> free_;
   BoundedFlight<D> bounded_;
   Real low_, high_, box_;

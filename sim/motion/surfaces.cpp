@@ -24,8 +24,8 @@ bool stands(const WallPlace<D>& wall, const MotionParameters<D>& parameters) {
 template <int D>
 bool is_plain(const WallPlace<D>& wall, const MotionParameters<D>& parameters, const Vector<D>& box) {
   if (!stands(wall, parameters)) return false;  // to be refused
-  return wall.rule.kind == WallKind::specular && wall.rule.surface.normal.value == 1 && !wall.moves() &&
-         wall.edge == (wall.high ? box[wall.axis] : 0);
+  return wall.rule.kind == WallKind::specular && wall.rule.surface.normal.value == 1 &&
+         wall.rule.surface.smooth() && !wall.moves() && wall.edge == (wall.high ? box[wall.axis] : 0);
 }
 
 template <int D>

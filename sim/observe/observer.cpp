@@ -6,13 +6,17 @@
 #include "sim/observe/collisions.hpp"
 #include "sim/observe/distribution.hpp"
 #include "sim/observe/energy.hpp"
+#include "sim/observe/energy_flux.hpp"
 #include "sim/observe/fields.hpp"
 #include "sim/observe/free_surface.hpp"
 #include "sim/observe/kinetic_stress.hpp"
 #include "sim/observe/pair_correlation.hpp"
 #include "sim/observe/pair_velocity.hpp"
 #include "sim/observe/rotation.hpp"
+#include "sim/observe/species.hpp"
+#include "sim/observe/species_density.hpp"
 #include "sim/observe/structure_factor.hpp"
+#include "sim/observe/two_fluids.hpp"
 #include "sim/observe/wall_force.hpp"
 
 #include <functional>
@@ -63,6 +67,10 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
        [](Spec, std::size_t) {
          return list<D>(make_unique<RotationalEnergy<D>>(), make_unique<RotationalTemperature<D>>());
        }},
+      {"species",
+       [](Spec spec, std::size_t) {
+         return list<D>(make_unique<SpeciesTemperature<D>>(spec), make_unique<SpeciesCollisions<D>>(spec));
+       }},
       {"pair-correlation",
        [](Spec spec, std::size_t) { return list<D>(make_unique<PairCorrelation<D>>(spec)); }},
       {"structure-factor",
@@ -77,12 +85,21 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
        [](Spec spec, std::size_t) {
          using Kind = typename WallForce<D>::Kind;
          return list<D>(make_unique<WallForce<D>>(spec, Kind::force),
-                        make_unique<WallForce<D>>(spec, Kind::power));
+                        make_unique<WallForce<D>>(spec, Kind::power),
+                        make_unique<WallForce<D>>(spec, Kind::heat));
        }},
       {"centre-of-mass", [](Spec spec, std::size_t) { return list<D>(make_unique<CentreOfMass<D>>(spec)); }},
       {"free-surface", [](Spec spec, std::size_t) { return list<D>(make_unique<FreeSurface<D>>(spec)); }},
       {"kinetic-stress", [](Spec spec, std::size_t) { return list<D>(make_unique<KineticStress<D>>(spec)); }},
+      {"energy-flux", [](Spec spec, std::size_t) { return list<D>(make_unique<EnergyFlux<D>>(spec)); }},
+      {"species-density",
+       [](Spec spec, std::size_t) { return list<D>(make_unique<SpeciesDensity<D>>(spec)); }},
       {"fields", [](Spec spec, std::size_t) { return list<D>(make_unique<Fields<D>>(spec)); }},
+      {"two-fluids",
+       [](Spec spec, std::size_t) {
+         return list<D>(make_unique<FluidDensity<D>>(spec), make_unique<FluidCentre<D>>(),
+                        make_unique<MixingIndex<D>>(spec));
+       }},
       {"shear-mode",
        [](Spec spec, std::size_t) {
          return list<D>(make_unique<ShearMode<D>>(spec.periods, false),
@@ -98,7 +115,8 @@ Needs needs_of(const ObserverSpec& spec) {
   return {.transfer = spec.what == "pressure",
           .plane = spec.what == "crossings",
           .walls = spec.what == "wall-force",
-          .impact_bins = spec.what == "impact-parameter" ? spec.bins : 0};
+          .impact_bins = spec.what == "impact-parameter" ? spec.bins : 0,
+          .by_species = spec.what == "species"};
 }
 
 std::vector<double> bin_edges(const ObserverSpec& spec) {

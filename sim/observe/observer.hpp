@@ -16,6 +16,7 @@ struct Needs {
   bool plane = false;           ///< a Plane
   bool walls = false;           ///< WallImpulses
   std::size_t impact_bins = 0;  ///< size of Tally::impact; 0: not counted
+  bool by_species = false;      ///< Tally::by_species
 };
 
 /// Measures one quantity. Called at the start of the run (unless it measures over intervals) and at every sample.
@@ -24,7 +25,8 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual Quantity quantity() const = 0;
-  virtual std::vector<double> measure(const View<D>& view) = 0;  ///< empty: no sample (a mean of no particles)
+  virtual std::vector<double> measure(
+      const View<D>& view) = 0;  ///< empty: no sample (a mean of no particles)
   /// False for what is measured over the time since the previous sample.
   virtual bool measures_at_start() const { return true; }
   /// A count since time zero: its estimate is a rate.
@@ -44,8 +46,9 @@ struct ObserverSpec {
   std::array<double, 2> range{-5, 5};
   std::size_t bins = 64;
   std::vector<std::size_t> grid;
-  int periods = 1;           ///< shear-mode
-  std::vector<int> bounded;  ///< axes of the box that are not periodic
+  int periods = 1;                   ///< shear-mode
+  std::vector<int> bounded;          ///< axes of the box that are not periodic
+  std::vector<std::string> species;  ///< names of the species
 };
 
 Needs needs_of(const ObserverSpec& spec);

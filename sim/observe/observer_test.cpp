@@ -72,10 +72,11 @@ TEST(BinEdges, AreEquallyFarApart) {
 }
 
 const char* const kWords[] = {
-    "energy",           "temperature",    "momentum",          "moments",          "velocity-histogram",
-    "collisions",       "pressure",       "crossings",         "fields",           "shear-mode",
-    "impact-parameter", "overlap",        "rotational-energy", "pair-correlation", "structure-factor",
-    "pair-velocity",    "centre-of-mass", "free-surface",      "kinetic-stress",   "wall-force"};
+    "energy",           "temperature",     "momentum",          "moments",          "velocity-histogram",
+    "collisions",       "pressure",        "crossings",         "fields",           "shear-mode",
+    "impact-parameter", "overlap",         "rotational-energy", "pair-correlation", "structure-factor",
+    "pair-velocity",    "centre-of-mass",  "free-surface",      "kinetic-stress",   "wall-force",
+    "two-fluids",       "species-density", "energy-flux"};
 
 template <int D>
 void expect_shape_as_declared() {

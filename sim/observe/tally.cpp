@@ -7,6 +7,7 @@ void Tally::save(Memory& memory) const {
                             static_cast<double>(moves), deepest_overlap};
   memory["tally/transfer"] = transfer.save();
   memory["tally/impact"] = {impact.begin(), impact.end()};
+  if (!by_species.empty()) memory["tally/by-species"] = {by_species.begin(), by_species.end()};
 }
 
 void Tally::load(const Memory& memory) {
@@ -18,6 +19,9 @@ void Tally::load(const Memory& memory) {
   transfer = ExactSum::load(memory.at("tally/transfer"));
   const std::vector<double>& bins = memory.at("tally/impact");
   impact.assign(bins.begin(), bins.end());
+  if (by_species.empty()) return;
+  const std::vector<double>& pairs = memory.at("tally/by-species");
+  by_species.assign(pairs.begin(), pairs.end());
 }
 
 }  // namespace sandglass

@@ -22,7 +22,9 @@ struct Tally {
   /// offsets the sum of m v' . displacement over both partners.
   ExactSum transfer;
   std::vector<std::uint64_t>
-      impact;                  ///< collisions since time zero by |b| / d, Needs::impact_bins over [0, 1]
+      impact;  ///< collisions since time zero by |b| / d, Needs::impact_bins over [0, 1]
+  /// Collisions since time zero of species a with species b at [a * species + b], a the first partner; empty: not counted.
+  std::vector<std::uint64_t> by_species;
   double deepest_overlap = 0;  ///< largest overlap at a collision, in diameters
 
   void save(Memory& memory) const;

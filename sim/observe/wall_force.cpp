@@ -18,7 +18,7 @@ Quantity WallForce<D>::quantity() const {
   std::vector<std::string> names;
   for (const int axis : axes_)
     for (const char* side : {"-low", "-high"}) {
-      if (kind_ == Kind::power) names.push_back(axis_name(axis) + side);
+      if (kind_ != Kind::force) names.push_back(axis_name(axis) + side);
       if (kind_ == Kind::force)
         for (const std::string& component : axis_names(D))
           names.push_back(axis_name(axis) + side + "-" + component);
@@ -28,6 +28,14 @@ Quantity WallForce<D>::quantity() const {
     return {"wall-power",
             "mass length^2 time^-3",
             "work that each wall does on the particles, per time",
+            {sides},
+            names,
+            {},
+            ""};
+  if (kind_ == Kind::heat)
+    return {"wall-heat",
+            "mass length^2 time^-3",
+            "energy that each wall takes from the particles beside its work, per time",
             {sides},
             names,
             {},
@@ -44,6 +52,7 @@ std::vector<double> WallForce<D>::totals(const View<D>& view) const {
       const std::size_t side = WallImpulses<D>::side(axis, high);
       const Vector<D> impulse = view.walls->impulse(side);
       if (kind_ == Kind::power) totals.push_back(view.walls->work(side));
+      if (kind_ == Kind::heat) totals.push_back(view.walls->heat(side));
       if (kind_ == Kind::force) totals.insert(totals.end(), impulse.data(), impulse.data() + D);
     }
   return totals;

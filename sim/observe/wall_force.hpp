@@ -5,12 +5,13 @@
 namespace sandglass {
 
 /// What the particles and each side of the box that is not periodic exchange per time, over the time since the previous
-/// sample: the force of the particles on the side, component by component, or the power of the side, work that it does on
-/// the particles per time. Under gravity the force on the floor is, on average, the weight of what rests and bounces on it.
+/// sample: the force of the particles on the side, component by component; the power of the side, work that it does on the
+/// particles per time; or its heat, energy that it takes from them beside that. What particles gain is power less heat.
+/// Under gravity the force on the floor is, on average, the weight of what rests and bounces on it.
 template <int D>
 class WallForce final : public Observer<D> {
  public:
-  enum class Kind { force, power };
+  enum class Kind { force, power, heat };
 
   /// Reads `bounded`. Throws InputError when every axis is periodic.
   WallForce(const ObserverSpec& spec, Kind kind);

@@ -25,7 +25,7 @@ std::vector<double> WallImpulses<D>::save() const {
 template <int D>
 void WallImpulses<D>::load(const std::vector<double>& state) {
   const std::size_t size = ExactSum().save().size();
-  if (state.size() != size * 2 * D * (D + 1)) throw std::out_of_range("wall impulses");
+  if (state.size() != size * 2 * D * (D + 2)) throw std::out_of_range("wall impulses");
   auto from = state.begin();
   for (auto& side : sums_)
     for (ExactSum& sum : side) {

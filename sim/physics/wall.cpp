@@ -42,12 +42,13 @@ Vector<D> random_signs(const Vector<D>& along, const Vector<D>& normal, Random& 
 }
 
 /// Flux distribution of a gas at rest along the normal (FluxSampler without a stream is Rayleigh's), Maxwell's along the
-/// surface and of the spin.
+/// surface and of the spin. Without `flux` Maxwell's along the normal too: a planted fault.
 template <int D>
-void thermal(double temperature, const Vector<D>& normal, const Vector<D>& wall,
+void thermal(double temperature, bool flux, const Vector<D>& normal, const Vector<D>& wall,
              const ParticleAtWall<D>& particle, Random& random) {
   const double speed = std::sqrt(temperature / particle.mass);
-  particle.velocity = wall + speed * std::sqrt(-2 * std::log(1 - random.uniform())) * normal;
+  const double leaving = flux ? std::sqrt(-2 * std::log(1 - random.uniform())) : std::abs(gaussian(random));
+  particle.velocity = wall + speed * leaving * normal;
   for (int i = 0; i < D - 1; ++i) particle.velocity += speed * gaussian(random) * tangent<D>(normal, i);
   if (!particle.spin) return;
   for (double& component : particle.spin->reshaped())
@@ -91,7 +92,7 @@ void reflect(const WallRule& rule, const Vector<D>& normal, const Vector<D>& wal
       particle.velocity = leaving + random_signs<D>(along, normal, random);
       break;
     case WallKind::thermal:
-      thermal<D>(rule.temperature, normal, wall_velocity, particle, random);
+      thermal<D>(rule.temperature, rule.probability > 0, normal, wall_velocity, particle, random);
       break;
   }
   lift_off<D>(normal, wall_velocity, restitution == 0 && rule.kind != WallKind::thermal, particle.velocity);

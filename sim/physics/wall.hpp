@@ -37,6 +37,13 @@ struct ParticleAtWall {
   double mass, radius, inertia;
 };
 
+/// Kinetic energy in the frame of the wall, that of the spin included.
+template <int D>
+double energy_beside(const Vector<D>& wall_velocity, const ParticleAtWall<D>& particle) {
+  const double turning = particle.spin != nullptr ? particle.inertia * particle.spin->squaredNorm() : 0;
+  return (particle.mass * (particle.velocity - wall_velocity).squaredNorm() + turning) / 2;
+}
+
 /// Collision with a wall: `normal` is the unit vector into the gas. A particle that recedes is left alone. Afterwards the
 /// normal velocity relative to the wall is positive; zero only with restitution 0.
 template <int D>

@@ -5,6 +5,7 @@
 #include "sim/method/collisionless/family.hpp"
 #include "sim/method/dsmc/family.hpp"
 #include "sim/method/event_driven/family.hpp"
+#include "sim/method/mixing/family.hpp"
 #include "sim/method/reservoir/family.hpp"
 #include "sim/run/run.hpp"
 
@@ -14,7 +15,8 @@ namespace sandglass {
 
 const std::vector<const FamilyBuilder*>& family_builders() {
   static const std::vector<const FamilyBuilder*> all = {&dsmc::family(), &event_driven::family(),
-                                                        &reservoir::family(), &collisionless::family()};
+                                                        &reservoir::family(), &collisionless::family(),
+                                                        &mixing::family()};
   return all;
 }
 

@@ -12,7 +12,7 @@ namespace sandglass {
 namespace {
 
 template <int D>
-Particles<D> given_particles(const Scene& scene) {
+Particles<D> given_particles(const Scene& scene, const Streams& streams) {
   const bool rough = is_rough(scene);
   Particles<D> particles;
   for (const GivenParticle& given : scene.given) {
@@ -25,6 +25,8 @@ Particles<D> given_particles(const Scene& scene) {
     particles.columns.append(column::spin<D>, turns ? Spin<D>(Eigen::Map<const Spin<D>>(given.spin.data()))
                                                     : Spin<D>(Spin<D>::Zero()));
   }
+  if (scene.initial.velocity_rounding > 0)
+    add_uniform_velocities(particles.phases, scene.initial.velocity_rounding, streams);
   return particles;
 }
 
@@ -46,9 +48,11 @@ template <int D>
 Particles<D> initial_particles(const Setup<D>& setup, const Streams& streams) {
   const Scene& scene = setup.scene;
   if (setup.particles == 0) return {};
-  if (!scene.given.empty()) return given_particles<D>(scene);
+  if (!scene.given.empty()) return given_particles<D>(scene, streams);
   Particles<D> particles;
-  const std::vector<std::uint8_t> species = shuffled_species(scene, streams);
+  const bool layered = scene.initial.positions == Positions::layers;
+  const std::vector<std::uint8_t> species =
+      layered ? ordered_species(scene) : shuffled_species(scene, streams);
   if (!species.empty()) particles.columns.set(column::species, species);
   particles.phases = place<D>(scene, setup.particles, streams, species);
   draw_velocities(particles, scene, streams);

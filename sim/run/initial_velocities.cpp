@@ -50,7 +50,18 @@ void make_exact(Particles<D>& particles, const Scene& scene, double thermal) {
 }  // namespace
 
 template <int D>
+void add_uniform_velocities(std::vector<Phase<D>>& particles, double bound, const Streams& streams) {
+  const StreamKey key(streams.seed, Purpose::velocities, streams.replica, 0);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    Random random(key, i);
+    for (int axis = 0; axis < D; ++axis) particles[i].velocity[axis] += bound * (2 * random.uniform() - 1);
+  }
+}
+
+template <int D>
 void draw_velocities(Particles<D>& particles, const Scene& scene, const Streams& streams) {
+  if (scene.initial.uniform_velocity)
+    return add_uniform_velocities(particles.phases, *scene.initial.uniform_velocity, streams);
   const StreamKey key(streams.seed, Purpose::velocities, streams.replica, 0);
   const double temperature = scene.initial.temperature;
   const Kinds kinds(scene, particles);
@@ -87,6 +98,8 @@ void draw_spins(Particles<D>& particles, const Scene& scene, const Streams& stre
   for (Spin<D>& spin : spins) spin *= std::sqrt(temperature / energy);
 }
 
+template void add_uniform_velocities(std::vector<Phase<2>>&, double, const Streams&);
+template void add_uniform_velocities(std::vector<Phase<3>>&, double, const Streams&);
 template void draw_velocities(Particles<2>&, const Scene&, const Streams&);
 template void draw_velocities(Particles<3>&, const Scene&, const Streams&);
 template void draw_spins(Particles<2>&, const Scene&, const Streams&);

@@ -5,6 +5,9 @@
 #include "sim/run/placement_packing.hpp"
 #include "sim/run/placement_points.hpp"
 
+#include <algorithm>
+#include <functional>
+
 namespace sandglass {
 
 namespace {
@@ -29,6 +32,14 @@ std::vector<Vector<D>> place_on_lattice(const Scene& scene, const Room<D>& room,
   return points;
 }
 
+/// From the top down, so that the first particles are those of the highest layer.
+template <int D>
+std::vector<Vector<D>> place_in_layers(const Scene& scene, const Room<D>& room, std::uint64_t count) {
+  std::vector<Vector<D>> points = place_on_lattice<D>(scene, room, count);
+  std::ranges::stable_sort(points, std::greater(), [](const Vector<D>& point) { return point[D - 1]; });
+  return points;
+}
+
 std::vector<double> radii_of(const Scene& scene, std::uint64_t count, std::span<const std::uint8_t> species) {
   std::vector<double> radii(count, scene.species.front().diameter / 2);
   for (std::size_t i = 0; i < species.size(); ++i) radii[i] = scene.species[species[i]].diameter / 2;
@@ -49,6 +60,8 @@ std::vector<Vector<D>> points_of(const Scene& scene, std::uint64_t count, const 
       return place_barometrically<D>(scene, room, count, key);
     case Positions::lattice:
       return place_on_lattice<D>(scene, room, count);
+    case Positions::layers:
+      return place_in_layers<D>(scene, room, count);
     case Positions::random_without_overlap:
       return pack_randomly<D>(room, radii_of(scene, count, species), key);
   }

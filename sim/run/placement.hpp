@@ -9,8 +9,8 @@
 
 namespace sandglass {
 
-/// Particles at rest where the scene wants them: random, on a regular lattice, or random without overlap (random
-/// sequential addition). `species` has an entry a particle, or none when there is one species. The hard particles of an
+/// Particles at rest where the scene wants them: random, on a regular lattice (in layers: from the top down), or random
+/// without overlap (random sequential addition). `species` has an entry a particle, or none when there is one species. The hard particles of an
 /// event-driven scene overlap neither each other nor walls and obstacles; on a lattice, each has room for the largest.
 /// Throws InputError when the placement cannot be had.
 template <int D>

@@ -299,6 +299,15 @@ Scene crowd() {
   return scene;
 }
 
+/// The same with cells that are the harder to enter the fuller they are, in steps of a part of a cell.
+Scene falling_entry() {
+  Scene scene = crowd();
+  choose(scene.method, "hsmc-ramp");
+  dsmc_options(scene).cells = {4, 4};
+  scene.method.time_step = {{}, {}, 0.1};
+  return scene;
+}
+
 /// Partners a diameter away, in cells that differ in their contact factor.
 Scene at_contact() {
   Scene scene = test_scene(2, 12, 60);
@@ -329,7 +338,7 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   few.run.duration.steps = 300;
   std::map<std::string, std::vector<Scene>> scenes;
   for (const Scene& scene : {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"),
-                             beam(), crowd(), at_contact()})
+                             beam(), crowd(), falling_entry(), at_contact()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))

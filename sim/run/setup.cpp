@@ -37,6 +37,7 @@ ObserverSpec spec_of(const Scene& scene, const Observe& observe) {
   spec.grid.assign(observe.grid.begin(), observe.grid.end());
   for (std::size_t axis = 0; axis < scene.domain.sides.size(); ++axis)
     if (scene.domain.sides[axis][0] != Side::periodic) spec.bounded.push_back(static_cast<int>(axis));
+  for (const Species& species : scene.species) spec.species.push_back(species.name);
   if (scene.initial.shear_wave) spec.periods = scene.initial.shear_wave->periods;
   return spec;
 }
@@ -50,6 +51,7 @@ Needs needs_of(const std::vector<ObserverSpec>& observers) {
     all.transfer |= needs.transfer;
     all.plane |= needs.plane;
     all.walls |= needs.walls;
+    all.by_species |= needs.by_species;
     all.impact_bins = std::max(all.impact_bins, needs.impact_bins);
   }
   return all;
@@ -57,11 +59,10 @@ Needs needs_of(const std::vector<ObserverSpec>& observers) {
 
 template <int D>
 Setup<D> set_up(const Scene& scene, const std::string& planted_fault) {
-  Setup<D> setup{scene,
-                 {},
-                 nullptr,
-                 capabilities(scene).particles ? particle_count(scene) : 0,
-                 with_boundary_fault(scene, planted_fault).sources};
+  const Scene faulty = with_scene_fault(scene, planted_fault);
+  Setup<D> setup{scene,          {},
+                 nullptr,        capabilities(scene).particles ? particle_count(scene) : 0,
+                 faulty.sources, faulty.method.time_step};
   choose_ranges(setup.scene);
   for (const Observe& observe : setup.scene.observe) setup.observers.push_back(spec_of(setup.scene, observe));
   setup.method = make_builder<D>({setup.scene, needs_of(setup.observers), planted_fault});

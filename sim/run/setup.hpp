@@ -16,6 +16,7 @@ struct Setup {
   std::unique_ptr<MethodBuilder<D>> method;
   std::uint64_t particles;      ///< at time zero
   std::vector<Source> sources;  ///< of the scene, with a fault if one is planted into them
+  TimeStep time_step;           ///< the same
 };
 
 /// Throws InputError for a combination that the method cannot do.

@@ -26,12 +26,21 @@ double drive_speed(const Scene& scene, double edge) {
   }
   return std::sqrt(2 * gravity * edge) + wall;
 }
+
+/// Without a drive the temperature falls by (1 - r^2)/D per collision of each particle; spins may take as much again as
+/// there is.
+double loss_per_collision(const Scene& scene) {
+  double loss = 0;
+  for (const Species& species : scene.species)
+    loss = std::max(loss, 1 - species.restitution * species.restitution);
+  return is_rough(scene) ? loss + 1 : loss;
+}
 }  // namespace
 
 template <int D>
 TimeStepper<D>::TimeStepper(const Setup<D>& setup) {
   const Scene& scene = setup.scene;
-  const TimeStep& step = scene.method.time_step;
+  const TimeStep& step = setup.time_step;
   fixed_ = step.fixed.value_or(0);
   if (step.fixed) return;
   if (step.cell_fraction) {
@@ -43,9 +52,8 @@ TimeStepper<D>::TimeStepper(const Setup<D>& setup) {
   wanted_ = step.collisions.value();
   rate_at_one_ = setup.method->collision_rate(1);
   particles_ = static_cast<double>(setup.particles);
-  // Without a drive the temperature falls by (1 - r^2)/D per collision of each particle: look again every half per cent.
-  const double loss =
-      (1 - scene.species.front().restitution * scene.species.front().restitution) / D * wanted_;
+  // Look again every half per cent.
+  const double loss = loss_per_collision(scene) / D * wanted_;
   if (scene.gravity.empty())
     refresh_ = static_cast<std::uint64_t>(std::clamp(0.005 / std::max(loss, 1e-9), 1.0, 100.0));
 }

@@ -19,6 +19,7 @@ const Words<std::optional<Positions>>& positions_words() {
       {"lattice", Positions::lattice},
       {"random-without-overlap", Positions::random_without_overlap},
       {"barometric", Positions::barometric},
+      {"layers", Positions::layers},
       {"given", std::nullopt}};
   return words;
 }

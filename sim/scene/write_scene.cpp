@@ -54,10 +54,12 @@ void write_initial(Lines& lines, const Scene& scene) {
   const bool given = !scene.given.empty();
   lines.header("[initial]");
   lines.add("positions", word_of(positions_words(), given ? std::nullopt : std::optional(initial.positions)));
+  if (given && initial.velocity_rounding > 0) lines.add("velocity-rounding", initial.velocity_rounding);
   if (given) return;
-  lines.add("temperature", initial.temperature);
+  lines.add("uniform-velocity", initial.uniform_velocity);
+  if (!initial.uniform_velocity) lines.add("temperature", initial.temperature);
   if (!initial.velocity.empty()) lines.add("velocity", initial.velocity);
-  lines.add("exact", initial.exact);
+  if (!initial.uniform_velocity) lines.add("exact", initial.exact);
   lines.add("shear-wave", initial.shear_wave);
   lines.add("equilibrate-collisions-per-particle", initial.equilibrate_collisions);
   lines.add("spin-temperature", initial.spin_temperature);

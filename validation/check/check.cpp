@@ -35,6 +35,10 @@ std::vector<CheckInfo> join_families() {
                              column_checks,
                              pipe_flow_checks,
                              pipe_wave_checks,
+                             pipe_transport_checks,
+                             diffuse_wall_checks,
+                             sedimentation_rest_checks,
+                             sedimentation_fall_checks,
                              falling_checks,
                              packing_checks,
                              collapse_checks,
@@ -46,7 +50,12 @@ std::vector<CheckInfo> join_families() {
                              vibrated_bed_flow_checks,
                              vibrated_bed_velocity_checks,
                              heap_checks,
-                             heap_growth_checks})
+                             heap_growth_checks,
+                             mixture_checks,
+                             rough_checks,
+                             time_step_checks,
+                             repulsion_checks,
+                             two_fluid_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -75,27 +76,32 @@ Figure height_figure(const std::vector<Evidence>& found, const std::vector<Colla
   return figure;
 }
 
-Evidence furthest(const Subject& subject, std::vector<CollapsePoint> reference, Height kind) {
+/// Points before `from` are shown and not judged.
+Evidence furthest(const Subject& subject, std::vector<CollapsePoint> reference, Height kind, double from) {
   const double end = subject.series(0, "centre-of-mass").time.back() * (1 + 1e-9);
   std::erase_if(reference, [end](const CollapsePoint& point) { return point.time > end; });
   if (reference.empty())
     throw InputError("the run ends before the reference begins: run to time 0.1 at least");
   std::vector<Evidence> found;
   for (const CollapsePoint& point : reference) found.push_back(height_evidence(subject, point, kind));
-  Evidence worst = *std::max_element(found.begin(), found.end(), [](const Evidence& a, const Evidence& b) {
-    return distance(a) < distance(b);
-  });
-  worst.comparisons = static_cast<int>(found.size());
+  const auto first = std::ranges::lower_bound(reference, from * (1 - 1e-9), {}, &CollapsePoint::time);
+  const auto judged = std::span(found).subspan(static_cast<std::size_t>(first - reference.begin()));
+  if (judged.empty())
+    throw InputError(fmt::format("no point of the reference from time {} to the end of the run", from));
+  Evidence worst = *std::ranges::max_element(
+      judged, [](const Evidence& a, const Evidence& b) { return distance(a) < distance(b); });
+  worst.comparisons = static_cast<int>(judged.size());
   worst.figures.push_back(height_figure(found, reference, kind));
   return worst;
 }
 
 Evidence collapse_start(const Subject& subject, const law::Arguments&) {
-  return furthest(subject, collapse_lift(subject.species().restitution), Height::above_fall);
+  return furthest(subject, collapse_lift(subject.species().restitution), Height::above_fall, 0);
 }
 
-Evidence collapse_end(const Subject& subject, const law::Arguments&) {
-  return furthest(subject, collapse_height(subject.species().restitution), Height::above_floor);
+Evidence collapse_end(const Subject& subject, const law::Arguments& numbers) {
+  return furthest(subject, collapse_height(subject.species().restitution), Height::above_floor,
+                  numbers.at("from"));
 }
 
 bool near(double a, double b) { return std::abs(a - b) <= 1e-9 * b; }
@@ -126,7 +132,7 @@ std::vector<CheckInfo> collapse_checks() {
        "",
        needs,
        false,
-       {},
+       {law::Parameter{"from", "time", "points before it are shown and not judged", 0, 1e12, 0}},
        collapses_like_reference,
        collapse_end}};
 }

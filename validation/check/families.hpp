@@ -28,6 +28,10 @@ std::vector<CheckInfo> drag_checks();
 std::vector<CheckInfo> column_checks();
 std::vector<CheckInfo> pipe_flow_checks();
 std::vector<CheckInfo> pipe_wave_checks();
+std::vector<CheckInfo> pipe_transport_checks();
+std::vector<CheckInfo> diffuse_wall_checks();
+std::vector<CheckInfo> sedimentation_rest_checks();
+std::vector<CheckInfo> sedimentation_fall_checks();
 std::vector<CheckInfo> falling_checks();
 std::vector<CheckInfo> packing_checks();
 std::vector<CheckInfo> collapse_checks();
@@ -40,6 +44,11 @@ std::vector<CheckInfo> vibrated_bed_flow_checks();
 std::vector<CheckInfo> vibrated_bed_velocity_checks();
 std::vector<CheckInfo> heap_checks();
 std::vector<CheckInfo> heap_growth_checks();
+std::vector<CheckInfo> mixture_checks();
+std::vector<CheckInfo> rough_checks();
+std::vector<CheckInfo> time_step_checks();
+std::vector<CheckInfo> repulsion_checks();
+std::vector<CheckInfo> two_fluid_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);

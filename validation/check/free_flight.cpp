@@ -81,7 +81,7 @@ bool is_mirror(const Wall& wall) {
 
 double reach(const Scene& scene) { return touches(scene) ? scene.species.front().diameter / 2 : 0; }
 
-Profile profile_along(const Subject& subject, std::size_t replica, std::size_t axis, double from) {
+Profile profile_along(const Subject& subject, std::size_t replica, std::size_t axis, double from, double to) {
   const Series& series = subject.series(replica, "fields");
   const std::size_t width = subject.scene().domain.size.size() + 2;
   const std::size_t bins = series.quantity.shape.at(axis);
@@ -93,7 +93,7 @@ Profile profile_along(const Subject& subject, std::size_t replica, std::size_t a
   std::vector<double> weights(bins);
   std::size_t samples = 0;
   for (std::size_t sample = 0; sample < series.samples(); ++sample) {
-    if (series.time[sample] < from) continue;
+    if (series.time[sample] < from || series.time[sample] > to) continue;
     ++samples;
     for (std::size_t bin = 0; bin < bins; ++bin) {
       const double* values = &series.value[(sample * bins + bin) * width];

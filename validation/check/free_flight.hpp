@@ -2,6 +2,8 @@
 
 #include "validation/check/subject.hpp"
 
+#include <limits>
+
 namespace sandglass {
 
 /// Collisions of a particle with others while it flies for `time`: the share of flights that the laws of free
@@ -27,14 +29,15 @@ bool is_mirror(const Wall& wall);
 /// How far the centre of a particle stays from a surface.
 double reach(const Scene& scene);
 
-/// Bins along one axis, averaged over the samples from a time on.
+/// Bins along one axis, averaged over the samples from one time to another.
 struct Profile {
   std::vector<double> density;
   std::vector<double> temperature;  ///< each sample with the weight of its particles less one: without bias
 };
 
 /// Throws InputError when `fields` has several bins along another axis, or no sample is late enough.
-Profile profile_along(const Subject& subject, std::size_t replica, std::size_t axis, double from);
+Profile profile_along(const Subject& subject, std::size_t replica, std::size_t axis, double from,
+                      double to = std::numeric_limits<double>::infinity());
 
 /// Samples of one component from a time on. Throws InputError when there is none.
 std::vector<double> late_samples(const Subject& subject, std::size_t replica, const std::string& quantity,

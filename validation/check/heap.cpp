@@ -17,6 +17,9 @@ namespace sandglass {
 namespace {
 constexpr std::size_t kFolds = 10;
 
+/// Diameters that l/r may have: a grain, over a probability to stop of a tenth.
+constexpr double kMostKink = 10;
+
 using Replicas = std::span<const std::size_t>;
 
 HeapProfile all_replicas(const Subject& subject, std::size_t sample) {
@@ -60,6 +63,26 @@ void add_line(Figure& figure, const HeapProfile& profile, const std::string& nam
   Figure::Line line{name, profile.x, {}};
   for (const double x : profile.x) line.y.push_back(law::heap_surface(heap, x - centre));
   figure.lines.push_back(std::move(line));
+}
+
+ShapeComparison shapes_of(const HeapProfile& profile) {
+  const HeapPoints points = below_head(profile);
+  // Up to four stretches a fold, of two points at least: the more, the less one fold differs from the next.
+  const std::size_t stretches = std::clamp<std::size_t>(points.x.size() / (2 * kFolds), 1, 4);
+  return compare_shapes(points.x, points.h, kFolds, stretches);
+}
+
+/// The mean surface with both shapes, where they fit.
+Figure tail_figure(const Subject& subject, std::size_t sample) {
+  Figure figure = surface_figure(subject, sample);
+  const HeapProfile profile = all_replicas(subject, sample);
+  try {
+    const ShapeComparison shapes = shapes_of(profile);
+    add_line(figure, profile, "(3.17)", shapes.kinked.heap, shapes.kinked.centre);
+    add_line(figure, profile, "triangle", shapes.triangle.heap, shapes.triangle.centre);
+  } catch (const InputError&) {
+  }
+  return figure;
 }
 
 Evidence slope_evidence(const Subject& subject, const law::Arguments& numbers) {
@@ -118,46 +141,35 @@ Evidence edge_evidence(const Subject& subject, const law::Arguments&) {
   return evidence;
 }
 
-/// Of the mean surface, from folds of its points.
-ShapeComparison shapes_of(const HeapProfile& profile) {
-  const HeapPoints points = below_head(profile);
-  // Up to four stretches a fold, of two points at least: the more, the less one fold differs from the next.
-  const std::size_t stretches = std::clamp<std::size_t>(points.x.size() / (2 * kFolds), 1, 4);
-  return compare_shapes(points.x, points.h, kFolds, stretches);
-}
-
-/// At the end of pouring: the law is that of a heap that grows. Folds of one surface share its noise, so that the error
-/// comes from the replicas. A surface that neither shape fits has no comparison: not a number.
+/// At the end of pouring: the law is that of a heap that grows. Each replica by itself: a mean of triangles whose feet
+/// differ has a tail of its own. A kink is of the size of a grain and no probability above one, so that l/r is a diameter
+/// or more; of a layer without sides it is as long as the layer. Where no shape fits: not a number.
 Evidence tail_evidence(const Subject& subject, const law::Arguments&) {
   const std::size_t sample = heap_sample_at(subject, end_of_pouring(subject));
+  std::vector<double> kinks, advantages;
   Evidence evidence;
-  evidence.kind = Expectation::at_least;
-  evidence.units = "length^2";
-  evidence.figures.push_back(surface_figure(subject, sample));
   try {
-    const Mean advantage = jackknife(subject.replicas(), [&](Replicas replicas) {
-      return shapes_of(heap_profile(subject, sample, replicas)).advantage.value;
-    });
-    const Mean kinks = jackknife(subject.replicas(), [&](Replicas replicas) {
-      const HeapPoints points = below_head(heap_profile(subject, sample, replicas));
-      return fit_kinked_heap(points.x, points.h).heap.kink_length;
-    });
-    const HeapProfile profile = all_replicas(subject, sample);
-    const ShapeComparison shapes = shapes_of(profile);
-    evidence.value = advantage.value;
-    evidence.standard_error = advantage.standard_error;
-    evidence.degrees_of_freedom = advantage.degrees_of_freedom;
+    for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
+      const ShapeComparison shapes = shapes_of(heap_profile(subject, sample, std::span(&replica, 1)));
+      kinks.push_back(shapes.kinked.heap.kink_length);
+      advantages.push_back(shapes.advantage.value);
+    }
+    const Mean advantage = mean_of_independent(advantages);
+    evidence = from_mean(mean_of_independent(kinks), subject.species().diameter);
     evidence.summary = fmt::format(
-        "mean square residual of a triangle less that of (3.17), of points left out of the fit, at the end "
+        "l/r of each replica at the end of pouring; mean square residual of a triangle less that of (3.17), "
         "of "
-        "pouring; l/r {:.2f} ± {:.2f}, slope {:.3f}, height {:.1f}",
-        kinks.value, kinks.standard_error, shapes.kinked.heap.slope, shapes.kinked.heap.height);
-    add_line(evidence.figures.back(), profile, "(3.17)", shapes.kinked.heap, shapes.kinked.centre);
-    add_line(evidence.figures.back(), profile, "triangle", shapes.triangle.heap, shapes.triangle.centre);
+        "points left out of the fit: {:.3f} ± {:.3f}",
+        advantage.value, advantage.standard_error);
   } catch (const InputError& error) {
     evidence.value = std::numeric_limits<double>::quiet_NaN();
     evidence.summary = std::string("no shape fits: ") + error.what();
   }
+  evidence.kind = Expectation::between;
+  evidence.expected = subject.species().diameter;
+  evidence.upper = kMostKink * subject.species().diameter;
+  evidence.units = "length";
+  evidence.figures.push_back(tail_figure(subject, sample));
   return evidence;
 }
 

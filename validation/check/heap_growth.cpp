@@ -24,7 +24,9 @@ double height_of(const law::Heap& heap) {
   return 1.5 * square / law::heap_area(heap);
 }
 
-/// Samples between `least` particles and the end of pouring, the last of them being the one that is fitted.
+constexpr std::size_t kSizes = 4;  ///< smaller heaps that are compared
+
+/// Some of the samples between `least` particles and the end of pouring, the last of them being the one that is fitted.
 std::vector<std::size_t> growing_samples(const Subject& subject, double least) {
   const std::vector<double>& times = subject.series(0, "free-surface").time;
   std::vector<std::size_t> samples;
@@ -33,7 +35,10 @@ std::vector<std::size_t> growing_samples(const Subject& subject, double least) {
   if (samples.size() < 2)
     throw InputError(fmt::format(
         "fewer than two samples of 'free-surface' between {} particles and the end of pouring", least));
-  return samples;
+  if (samples.size() <= kSizes + 1) return samples;
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i <= kSizes; ++i) some.push_back(samples[i * (samples.size() - 1) / kSizes]);
+  return some;
 }
 
 double particles_at(const Subject& subject, std::size_t sample) {

@@ -86,10 +86,10 @@ double heap_slope(const HeapProfile& profile, double from, double to) {
 }
 
 HeapPoints below_head(const HeapProfile& profile) {
-  const double head = kStraightFrom * profile.half_base();
+  const double half = profile.half_base();
   HeapPoints points;
   for (std::size_t i = 0; i < profile.x.size(); ++i)
-    if (profile.h[i] >= profile.diameter && std::abs(profile.x[i]) >= head)
+    if (std::abs(profile.x[i]) >= kStraightFrom * half && std::abs(profile.x[i]) <= 2 * half)
       points.x.push_back(profile.x[i]), points.h.push_back(profile.h[i]);
   return points;
 }

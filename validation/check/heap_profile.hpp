@@ -30,7 +30,8 @@ struct HeapProfile {
 /// there is always one that falls: there the surface is the mean of both sides, until the last has been poured.
 HeapProfile heap_profile(const Subject& subject, std::size_t sample, std::span<const std::size_t> replicas);
 
-/// Where the surface stands a diameter or more above the floor, without the head, of which the law does not speak.
+/// The surface from the head, of which the law does not speak, to twice half the base. Bare floor counts: who lies on it
+/// alone must not pass for a tail.
 struct HeapPoints {
   std::vector<double> x, h;
 };

@@ -32,6 +32,10 @@ bool is_falling_pipe(const Scene& scene) {
   return true;
 }
 
+double sign_of_gravity(const Scene& scene) {
+  return scene.gravity[static_cast<std::size_t>(pipe_axis(scene))] > 0 ? 1 : -1;
+}
+
 bool is_pipe_at_rest(const Scene& scene) {
   return pipe_axis(scene) >= 0 && is_weightless(scene) && scene.species.front().restitution == 1 &&
          std::all_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {

@@ -12,6 +12,8 @@ namespace sandglass {
 int pipe_axis(const Scene& scene);
 /// A pipe in which gravity acts, and along it alone.
 bool is_falling_pipe(const Scene& scene);
+/// 1 where gravity points up the axis of a falling pipe, else -1.
+double sign_of_gravity(const Scene& scene);
 /// A pipe of elastic particles at rest, whose walls take no energy: at equilibrium.
 bool is_pipe_at_rest(const Scene& scene);
 

@@ -3,7 +3,6 @@
 #include "validation/check/families.hpp"
 #include "validation/check/free_flight.hpp"
 #include "validation/check/pipe.hpp"
-#include "validation/check/wave_speed.hpp"
 #include "validation/check/worst.hpp"
 #include "validation/law/falling.hpp"
 
@@ -34,10 +33,6 @@ double weight_of(const Subject& subject) {
   const double gravity = scene.gravity[static_cast<std::size_t>(pipe_axis(scene))];
   return law::steady_wall_friction(
       {subject.particles() * scene.method.weight, subject.species().mass, std::abs(gravity), 0, 0});
-}
-
-double sign_of_gravity(const Scene& scene) {
-  return scene.gravity[static_cast<std::size_t>(pipe_axis(scene))] > 0 ? 1 : -1;
 }
 
 /// Force of the particles on all walls along gravity, at each sample.
@@ -110,30 +105,6 @@ Evidence steady_friction(const Subject& subject, const law::Arguments& numbers) 
   return from_mean(pooled(samples), 1);
 }
 
-SpaceTime space_time(const PipeSlices& run) { return {run.count, run.slices, run.thickness, run.interval}; }
-
-Evidence pipe_wave_speed(const Subject& subject, const law::Arguments& numbers) {
-  const double from = numbers.at("settle-time");
-  const auto slices = static_cast<std::size_t>(numbers.at("slices"));
-  std::vector<double> ratios;
-  std::vector<Mean> single;
-  for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
-    Mean speed = wave_speed(space_time(pipe_slices(subject, replica, from, slices)),
-                            static_cast<std::size_t>(numbers.at("lags")), 4);
-    const double stream = stream_velocity(subject, replica, from);
-    speed.value /= stream;
-    speed.standard_error /= std::abs(stream);
-    ratios.push_back(speed.value);
-    single.push_back(speed);
-  }
-  const Mean mean = single.size() > 1 ? mean_of_independent(ratios) : single.front();
-  Evidence evidence = from_mean(mean, numbers.at("least"));
-  evidence.kind = Expectation::between;
-  evidence.upper = numbers.at("most");
-  return evidence;
-}
-
-law::Parameter settle() { return {"settle-time", "time", "samples before it are left out", 0, 1e12, 0.0}; }
 }  // namespace
 
 std::vector<CheckInfo> pipe_flow_checks() {
@@ -154,19 +125,7 @@ std::vector<CheckInfo> pipe_flow_checks() {
                    {law::Parameter{"settle-time", "time", "samples before it are left out", 0, 1e12}},
                    has_exact_weight,
                    steady_friction};
-  CheckInfo speed{"pipe-wave-speed",
-                  "speed of the density waves of a pipe over the mean velocity of its particles",
-                  "",
-                  {"fields", "momentum"},
-                  false,
-                  {settle(),
-                   {"slices", "1", "slices along the pipe; 0: all bins", 0, 1e6, 0.0},
-                   {"lags", "samples", "longest lag of the correlation", 1, 1e4, 4.0},
-                   {"least", "1", "lower bound of the ratio", -10, 10},
-                   {"most", "1", "upper bound of the ratio", -10, 10}},
-                  is_falling_pipe,
-                  pipe_wave_speed};
-  return {std::move(balance), std::move(steady), std::move(speed)};
+  return {std::move(balance), std::move(steady)};
 }
 
 }  // namespace sandglass

@@ -154,6 +154,55 @@ TEST(PipeWaveSpeed, IsThatOfThePatternOverTheStream) {
   EXPECT_NEAR(evidence.value, 5, 0.1);
 }
 
+// The same in given units of speed, positive along gravity: 10 down over 20.
+TEST(PipeWaveSpeed, IsPositiveAlongGravity) {
+  const Settings settings{
+      {{"settle-time", 0.0}, {"lags", 3.0}, {"over", 20.0}, {"least", 0.0}, {"most", 6.0}}, 0, 0, ""};
+  const Record down = with_spectrum(-1, 1);
+  EXPECT_NEAR(run_check(find_check("pipe-wave-speed"), down, settings).value, 0.5, 0.01);
+  Record up = down;
+  up.scene.replace(up.scene.find("-1.0]"), 5, "1.0]");
+  EXPECT_NEAR(run_check(find_check("pipe-wave-speed"), up, settings).value, -0.5, 0.01);
+}
+
+/// `rate` passages down per time, and a few up, with chance.
+Record with_passages(double rate) {
+  Record record = record_with(
+      pipe_scene(0.5, falling) + "[[observe]]\nwhat = \"crossings\"\naxis = \"y\"\nposition = 100.0\n", 16);
+  Generator generator(11);
+  std::poisson_distribution<int> down(rate + 2), up(2);
+  for (std::size_t replica = 0; replica < 16; ++replica) {
+    Series& passages = add_series(record, replica, "crossing-count", {"up", "down"});
+    double upwards = 0, downwards = 0;
+    for (int t = 0; t <= 100; ++t) {
+      add_sample(passages, t, {upwards, downwards});
+      upwards += up(generator), downwards += (t < 20 ? 5 : 1) * down(generator);
+    }
+  }
+  return record;
+}
+
+// A stream of speed v and area fraction 0.2 carries 0.2 v, the reference 0.2 at half of the fraction.
+TEST(PipeFlowGrowth, ComparesWithTheReference) {
+  const double density = kFraction / (pi / 4), width = 19.634954084936208;
+  for (const double speed : {2.0, 3.0}) {
+    const Settings settings{{{"settle-time", 20.0},
+                             {"fraction", 0.1},
+                             {"rate", 0.2},
+                             {"rate-error", 0.01},
+                             {"least", 0.0},
+                             {"most", 2.0}},
+                            0,
+                            0,
+                            ""};
+    const Evidence evidence =
+        run_check(find_check("pipe-flow-growth"), with_passages(density * width * speed), settings);
+    EXPECT_NEAR(evidence.value, std::log(kFraction * speed / 0.2) / std::log(2), 5 * evidence.standard_error);
+    EXPECT_LT(evidence.standard_error, 0.03);  // chance gives 0.015
+    EXPECT_NEAR(evidence.budget.reference, 0.05 / std::log(2), 1e-12);
+  }
+}
+
 /// Walls that take `friction` of the weight, and a stream that takes up the rest.
 Record with_forces(double friction, double gained, double refused) {
   Record record = record_with(pipe_scene(0.5, falling), 8);

@@ -12,25 +12,6 @@ namespace sandglass {
 namespace {
 constexpr std::size_t kAcross = 1;
 
-/// Density times velocity along x in each bin, averaged over the samples from a time on.
-std::vector<double> momentum_along(const Subject& subject, std::size_t replica, double from) {
-  const Series& series = subject.series(replica, "fields");
-  const std::size_t width = static_cast<std::size_t>(subject.dimension()) + 2,
-                    bins = series.quantity.size() / width;
-  std::vector<double> sum(bins, 0.0);
-  double samples = 0;
-  for (std::size_t sample = 0; sample < series.samples(); ++sample) {
-    if (series.time[sample] < from) continue;
-    ++samples;
-    for (std::size_t bin = 0; bin < bins; ++bin) {
-      const double* values = &series.value[(sample * bins + bin) * width];
-      if (values[0] > 0) sum[bin] += values[0] * values[1];
-    }
-  }
-  for (double& value : sum) value /= samples;
-  return sum;
-}
-
 double late_mean(const Subject& subject, std::size_t replica, const std::string& quantity,
                  const std::string& component, double from) {
   return mean_of_independent(late_samples(subject, replica, quantity, component, from)).value;
@@ -49,6 +30,24 @@ bool drags(const Wall& wall, double direction) {
          wall.velocity[0] * direction > 0;
 }
 }  // namespace
+
+std::vector<double> momentum_along(const Subject& subject, std::size_t replica, double from) {
+  const Series& series = subject.series(replica, "fields");
+  const std::size_t width = static_cast<std::size_t>(subject.dimension()) + 2,
+                    bins = series.quantity.size() / width;
+  std::vector<double> sum(bins, 0.0);
+  double samples = 0;
+  for (std::size_t sample = 0; sample < series.samples(); ++sample) {
+    if (series.time[sample] < from) continue;
+    ++samples;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      const double* values = &series.value[(sample * bins + bin) * width];
+      if (values[0] > 0) sum[bin] += values[0] * values[1];
+    }
+  }
+  for (double& value : sum) value /= samples;
+  return sum;
+}
 
 bool is_shear_cell(const Scene& scene) {
   return capabilities(scene).collisions && scene.species.size() == 1 && !is_rough(scene) &&

@@ -9,6 +9,9 @@ namespace sandglass {
 
 bool is_shear_cell(const Scene& scene);
 
+/// Density times velocity along x in each bin across y, averaged over the samples from a time on.
+std::vector<double> momentum_along(const Subject& subject, std::size_t replica, double from);
+
 /// What a set of replicas shows on average from a time on.
 class ShearCell {
  public:

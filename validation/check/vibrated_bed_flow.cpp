@@ -5,30 +5,14 @@
 
 #include <algorithm>
 
-// What floor, walls and collisions exchange with a vibrated bed: weight and power. Both hold for every method.
+// Power that bottom, walls and collisions exchange with a vibrated bed. What the walls carry: weight-on-floor.
 
 namespace sandglass {
 
 namespace {
-Evidence weight(const Subject& subject, const law::Arguments& numbers) {
-  const std::string axis = vertical_name(subject.scene());
-  std::vector<std::vector<double>> forces;
-  for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
-    const auto force = [&](const std::string& side) {
-      return late_samples(subject, replica, "wall-force", axis + side + axis, settled_from(subject, numbers));
-    };
-    std::vector<double> down = force("-low-");
-    const std::vector<double> up = force("-high-");
-    for (std::size_t i = 0; i < down.size(); ++i) down[i] = -down[i] - up[i];
-    forces.push_back(std::move(down));
-  }
-  const Scene& scene = subject.scene();
-  Evidence evidence = from_mean(pooled(forces), subject.particles() * scene.method.weight *
-                                                    subject.species().mass * bed_of(subject).gravity);
-  evidence.units = "mass length time^-2";
-  evidence.summary = "mean force on the bottom, less that on the lid, against the weight";
-  return evidence;
-}
+/// Share of the power: a particle that a step leaves on the bottom after 200 hits (docs/motion.md) is lifted by the way that
+/// the bottom goes in what is left of the step, and the work is counted at its velocity when that begins. Seen: 6e-9.
+constexpr double kLastBounces = 1e-6;
 
 /// Samples from a time on, with the time that each stands for.
 struct Window {
@@ -44,15 +28,16 @@ Window window_of(const Series& series, double from) {
   return {first, series.samples() - 1, series.time[first], series.time.back()};
 }
 
-/// Work of a wall in the window; a sample is the mean power since the one before.
-double work_of(const Subject& subject, std::size_t replica, const std::string& side, double from) {
-  const Series& series = subject.series(replica, "wall-power");
-  const std::vector<double> power = subject.column(replica, "wall-power", side);
+/// Energy through a wall in the window, as `wall-power` or `wall-heat` has it: a sample is the mean since the one before.
+double energy_through(const Subject& subject, std::size_t replica, const std::string& quantity,
+                      const std::string& side, double from) {
+  const Series& series = subject.series(replica, quantity);
+  const std::vector<double> power = subject.column(replica, quantity, side);
   const Window window = window_of(series, from);
-  double work = 0;
+  double energy = 0;
   for (std::size_t i = window.first + 1; i <= window.last; ++i)
-    work += power[i] * (series.time[i] - series.time[i - 1]);
-  return work;
+    energy += power[i] * (series.time[i] - series.time[i - 1]);
+  return energy;
 }
 
 /// Change of a quantity from the first to the last sample of the window, and its mean.
@@ -70,14 +55,15 @@ Change change_of(const Subject& subject, std::size_t replica, const std::string&
           sum / static_cast<double>(window.last - window.first + 1)};
 }
 
-/// Work of all walls that neither the bed keeps nor collisions take, over the work of the bottom. A collision takes
-/// (1 - r^2) T on average.
+/// Work of all walls that neither they take back as heat nor the bed keeps nor collisions take, over the work of the
+/// bottom. A collision takes (1 - r^2) T on average.
 double imbalance(const Subject& subject, std::size_t replica, double from) {
   const std::string axis = vertical_name(subject.scene());
-  const double bottom = work_of(subject, replica, axis + "-low", from);
+  const double bottom = energy_through(subject, replica, "wall-power", axis + "-low", from);
   double rest = 0;
   for (const std::string& side : subject.series(replica, "wall-power").quantity.components)
-    rest += work_of(subject, replica, side, from);
+    rest += energy_through(subject, replica, "wall-power", side, from) -
+            energy_through(subject, replica, "wall-heat", side, from);
   const Species& species = subject.species();
   const double real = subject.particles() * subject.scene().method.weight;
   const Change kinetic = change_of(subject, replica, "energy", "", from);
@@ -97,27 +83,21 @@ Evidence power(const Subject& subject, const law::Arguments& numbers) {
     imbalances.push_back(imbalance(subject, replica, settled_from(subject, numbers)));
   Evidence evidence = from_mean(mean_of_independent(imbalances), 0);
   const bool elastic = subject.species().restitution == 1;
-  evidence.budget.systematic = elastic ? 1e-9 : law::vibrated_bed_expansion(bed_of(subject));
-  evidence.budget.reason = elastic ? "rounding" : "one temperature in the whole bed, to order <U^2> m/T";
-  evidence.summary = "power of all walls less what collisions take, over the power of the bottom";
+  evidence.budget.systematic = elastic ? kLastBounces : law::vibrated_bed_expansion(bed_of(subject));
+  evidence.budget.reason = elastic ? "rounding, and who rests on the bottom for the rest of a step"
+                                   : "one temperature in the whole bed, to order <U^2> m/T";
+  evidence.summary = "power of all walls less what they and collisions take, over the power of the bottom";
   return evidence;
 }
 }  // namespace
 
 std::vector<CheckInfo> vibrated_bed_flow_checks() {
   const law::Parameter settle{"settle-share", "1", "share of the run that is left out", 0, 0.9, 0.25};
-  return {{"vibrated-bed-weight",
-           "mean force on the bottom of a vibrated bed against the weight",
-           "floor-impulse",
-           {"wall-force"},
-           true,
-           {settle},
-           is_vibrated_bed,
-           weight},
-          {"vibrated-bed-power",
-           "power of the walls of a vibrated bed less what its collisions take, over the power of the bottom",
+  return {{"vibrated-bed-power",
+           "power of the walls of a vibrated bed less what they and its collisions take, over the power of "
+           "the bottom",
            "",
-           {"wall-power", "energy", "centre-of-mass", "collisions"},
+           {"wall-power", "wall-heat", "energy", "centre-of-mass", "collisions"},
            false,
            {settle},
            is_vibrated_bed,

@@ -1,8 +1,11 @@
+#include "sim/base/error.hpp"
 #include "validation/check/families.hpp"
 #include "validation/check/free_flight.hpp"
+#include "validation/check/power_law.hpp"
 #include "validation/check/vibrated_bed.hpp"
 #include "validation/check/vibrated_bed_reference.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -86,6 +89,48 @@ Evidence exponent(const Subject& subject, const law::Arguments& numbers) {
   evidence.figures.push_back(rise_figure(bed, rise));
   return evidence;
 }
+/// Hard disks from one speed to another, and the run at its own.
+PowerLawFit fit_with(const law::VibratedBed& bed, const Mean& rise, const law::Arguments& numbers) {
+  std::vector<double> speed{bed.speed}, rises{rise.value}, error{rise.standard_error};
+  for (const BedPoint& point : reference_of(bed)) {
+    if (point.speed < 0.999 * numbers.at("from-speed") || point.speed > 1.001 * numbers.at("to-speed"))
+      continue;
+    if (std::abs(point.speed / bed.speed - 1) < 1e-3) continue;
+    speed.push_back(point.speed);
+    rises.push_back(point.rise);
+    error.push_back(point.standard_error);
+  }
+  if (speed.size() < 3)
+    throw InputError(
+        "a curvature needs two other speeds of the reference between 'from-speed' and 'to-speed'");
+  return fit_power_law(speed, rises, error);
+}
+
+/// The part of the error that comes from the run: the curvature is linear in the logarithm of its rise.
+double error_of_run(const law::VibratedBed& bed, const Mean& rise, const law::Arguments& numbers) {
+  const double step = 1e-3;
+  Mean higher = rise;
+  higher.value *= std::exp(step);
+  higher.standard_error *= std::exp(step);
+  const double slope =
+      (fit_with(bed, higher, numbers).curvature - fit_with(bed, rise, numbers).curvature) / step;
+  return std::abs(slope * rise.standard_error / rise.value);
+}
+
+Evidence curvature(const Subject& subject, const law::Arguments& numbers) {
+  const law::VibratedBed bed = bed_of(subject);
+  const Mean rise = above(bed_height(subject, settled_from(subject, numbers)), numbers.at("rest-height"));
+  const PowerLawFit fit = fit_with(bed, rise, numbers);
+  Evidence evidence = from_mean(rise, numbers.at("expected"));
+  evidence.value = fit.curvature;
+  evidence.standard_error = error_of_run(bed, rise, numbers);
+  evidence.budget.reference =
+      std::sqrt(std::max(0.0, std::pow(fit.curvature_error, 2) - std::pow(evidence.standard_error, 2)));
+  evidence.summary = fmt::format("d(exponent)/d ln V beside hard disks; exponent {:.3f} ± {:.3f}",
+                                 fit.exponent, fit.exponent_error);
+  evidence.figures.push_back(rise_figure(bed, rise));
+  return evidence;
+}
 }  // namespace
 
 std::vector<CheckInfo> vibrated_bed_rise_checks() {
@@ -93,7 +138,9 @@ std::vector<CheckInfo> vibrated_bed_rise_checks() {
   const law::Parameter rest{"rest-height", "length", "height of the centre of mass at rest", 0, 1e12};
   const law::Parameter other{"other-speed", "m/s", "V of the reference that the slope starts from", 1e-6,
                              1e6};
-  const law::Parameter expected{"expected", "1", "the exponent", -10, 10};
+  const law::Parameter expected{"expected", "1", "what the value should be", -10, 10};
+  const law::Parameter from{"from-speed", "m/s", "lowest V that counts", 1e-6, 1e6};
+  const law::Parameter to{"to-speed", "m/s", "highest V that counts", 1e-6, 1e6};
   return {{"vibrated-bed-law",
            "rise of the centre of mass of a vibrated bed against the balance of energy",
            "vibrated-bed-rise",
@@ -117,7 +164,15 @@ std::vector<CheckInfo> vibrated_bed_rise_checks() {
            false,
            {settle, rest, other, expected},
            is_vibrated_bed,
-           exponent}};
+           exponent},
+          {"vibrated-bed-curvature",
+           "how fast the exponent changes with ln V, hard disks at other speeds and the run at its own",
+           "",
+           {"centre-of-mass"},
+           false,
+           {settle, rest, from, to, expected},
+           is_vibrated_bed,
+           curvature}};
 }
 
 }  // namespace sandglass

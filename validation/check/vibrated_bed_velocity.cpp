@@ -82,6 +82,15 @@ Evidence uneven(const Subject& subject, const law::Arguments& numbers, Value val
   return evidence;
 }
 
+Evidence evenness_of_bed(const Subject& subject, const law::Arguments&) {
+  const BlockedHistogram across = blocked_histogram(subject, "velocity-histogram-x");
+  std::vector<double> skews;
+  for (std::size_t block = 0; block < across.counts.size(); ++block) skews.push_back(skewness(across, block));
+  Evidence evidence = from_mean(mean_of_independent(skews), 0);
+  evidence.figures.push_back(velocity_figure(subject));
+  return evidence;
+}
+
 Evidence skewness_of_bed(const Subject& subject, const law::Arguments& numbers) {
   return uneven(subject, numbers, skewness);
 }
@@ -110,7 +119,15 @@ std::vector<CheckInfo> vibrated_bed_velocity_checks() {
        false,
        {least},
        is_vibrated_bed,
-       descent_of_bed}};
+       descent_of_bed},
+      {"vibrated-bed-evenness",
+       "third moment of the horizontal velocity in units of the second: none in an even distribution",
+       "",
+       {"velocity-histogram-x"},
+       false,
+       {},
+       is_vibrated_bed,
+       evenness_of_bed}};
 }
 
 }  // namespace sandglass

@@ -64,29 +64,47 @@ double slope_of(const Correlation& correlation, std::size_t slices, std::size_t 
   }
   return product / norm;
 }
-}  // namespace
-
-Mean wave_speed(const SpaceTime& data, std::size_t lags, std::size_t blocks) {
-  const std::size_t samples = data.slices > 0 ? data.density.size() / data.slices : 0;
-  if (data.slices < 4 || lags < 1 || blocks < 2 || samples < 2 * blocks * lags)
-    throw InputError(
-        fmt::format("{} samples of {} slices are too few for {} lags and {} blocks: 4 slices and 2 x lags x "
-                    "blocks samples at least",
-                    samples, data.slices, lags, blocks));
-  const std::vector<double> values = deviations(data);
-  std::vector<Correlation> parts;
-  for (std::size_t block = 0; block < blocks; ++block)
-    parts.push_back(
-        correlation_of(values, data.slices, lags, block * samples / blocks, (block + 1) * samples / blocks));
-  Mean speed = jackknife(blocks, [&](std::span<const std::size_t> used) {
+/// From the sum of the parts, with the error by leaving out one of them.
+Mean from_parts(const std::vector<Correlation>& parts, const SpaceTime& data, std::size_t lags) {
+  Mean speed = jackknife(parts.size(), [&](std::span<const std::size_t> used) {
     Correlation sum(lags * data.slices, 0.0);
-    for (std::size_t block : used)
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += parts[block][i];
+    for (std::size_t part : used)
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += parts[part][i];
     return slope_of(sum, data.slices, lags);
   });
   speed.value *= data.spacing / data.interval;
   speed.standard_error *= data.spacing / data.interval;
   return speed;
+}
+
+/// Samples of data that hold enough for this many parts.
+std::size_t samples_of(const SpaceTime& data, std::size_t lags, std::size_t parts) {
+  const std::size_t samples = data.slices > 0 ? data.density.size() / data.slices : 0;
+  if (data.slices < 4 || lags < 1 || parts < 1 || samples < 2 * parts * lags)
+    throw InputError(
+        fmt::format("{} samples of {} slices are too few for {} lags and {} blocks: 4 slices and 2 x lags x "
+                    "blocks samples at least",
+                    samples, data.slices, lags, parts));
+  return samples;
+}
+}  // namespace
+
+Mean wave_speed(const SpaceTime& data, std::size_t lags, std::size_t blocks) {
+  const std::size_t samples = samples_of(data, lags, std::max<std::size_t>(blocks, 2));
+  const std::vector<double> values = deviations(data);
+  std::vector<Correlation> parts;
+  for (std::size_t block = 0; block < blocks; ++block)
+    parts.push_back(
+        correlation_of(values, data.slices, lags, block * samples / blocks, (block + 1) * samples / blocks));
+  return from_parts(parts, data, lags);
+}
+
+Mean wave_speed(std::span<const SpaceTime> runs, std::size_t lags) {
+  SANDGLASS_EXPECT(runs.size() > 1);
+  std::vector<Correlation> parts;
+  for (const SpaceTime& run : runs)
+    parts.push_back(correlation_of(deviations(run), run.slices, lags, 0, samples_of(run, lags, 1)));
+  return from_parts(parts, runs.front(), lags);
 }
 
 }  // namespace sandglass

@@ -21,5 +21,8 @@ struct SpaceTime {
 /// than half the axis in one sample. The mean of each slice over time is taken off first. Error by leaving out one of
 /// `blocks` stretches of time, which must be long against the correlation time.
 Mean wave_speed(const SpaceTime& data, std::size_t lags, std::size_t blocks);
+/// Of independent runs of the same axis and interval, two at least: from the sum of their correlations; error by leaving
+/// out one run.
+Mean wave_speed(std::span<const SpaceTime> runs, std::size_t lags);
 
 }  // namespace sandglass

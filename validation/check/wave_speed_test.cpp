@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kSlices = 40;
 
 /// A hump of the given speed in slices per sample, on a fixed background and noise.
-std::vector<double> moving_hump(double speed, std::size_t samples, double noise) {
-  std::mt19937_64 generator(1);
+std::vector<double> moving_hump(double speed, std::size_t samples, double noise, unsigned seed = 1) {
+  std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal;
   std::vector<double> density;
   for (std::size_t t = 0; t < samples; ++t)
@@ -35,6 +35,17 @@ TEST(WaveSpeed, IsThatOfTheWave) {
     EXPECT_NEAR(found.value, 5 * speed, 4 * found.standard_error);
     EXPECT_LT(found.standard_error, 0.05);
   }
+}
+
+TEST(WaveSpeed, OfRunsIsThatOfEach) {
+  std::vector<std::vector<double>> density;
+  std::vector<SpaceTime> runs;
+  for (unsigned run = 0; run < 4; ++run) density.push_back(moving_hump(1.37, 300, 0.3, run + 1));
+  for (const std::vector<double>& data : density) runs.push_back({data, kSlices, 0.5, 0.1});
+  const Mean found = wave_speed(runs, 6);
+  EXPECT_NEAR(found.value, 5 * 1.37, 6 * found.standard_error);
+  EXPECT_LT(found.standard_error, 0.05);
+  EXPECT_THROW(wave_speed(runs, 200), InputError);
 }
 
 // Waves that come and go: each lives for a while, starts anywhere, and has the same speed.

@@ -21,6 +21,9 @@ std::vector<Law> fluctuation_laws();     ///< counts in a slice and their spectr
 std::vector<Law> impact_laws();          ///< impact parameters that are not spread evenly
 std::vector<Law> sedimentation_laws();   ///< what a column of gas ends in
 std::vector<Law> diffuse_wall_laws();    ///< heat and shear between thermal walls
+std::vector<Law> rough_laws();           ///< cooling of particles with spin
+std::vector<Law> mixture_laws();         ///< several species
 std::vector<Law> uniform_shear_laws();   ///< a gas that is sheared, Bagnold
+std::vector<Law> mixing_laws();          ///< two particles that repel each other, and the leapfrog
 
 }  // namespace sandglass::law

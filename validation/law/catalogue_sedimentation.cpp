@@ -1,6 +1,7 @@
 #include "validation/law/catalogue.hpp"
 #include "validation/law/parameters.hpp"
 #include "validation/law/sedimentation.hpp"
+#include "validation/law/sinking_column.hpp"
 
 namespace sandglass::law {
 
@@ -94,10 +95,41 @@ Law sound_law() {
             return column_sound_frequency(column_from(given), given.at("degrees-of-freedom"));
           }};
 }
+
+SinkingColumn sinking_from(const Arguments& given) {
+  Gas gas{.dimension = static_cast<int>(given.at("dimension")),
+          .diameter = given.at("diameter"),
+          .mass = given.at("mass"),
+          .temperature = given.at("initial-temperature")};
+  gas.fraction = given.at("number-density") * particle_volume(gas);
+  return {gas, given.at("gravity"), given.at("lid"), given.at("degrees-of-freedom")};
+}
+
+Law bounce_law(std::string name, std::string summary, std::string units, double Bounce::*part) {
+  return {.name = std::move(name),
+          .summary = std::move(summary),
+          .source = "equations of Navier, Stokes and Fourier, solved; docs/theory.md",
+          .units = std::move(units),
+          .validity =
+              "dilute gas, evenly spread at rest at the start; to second order in the mean free path over "
+              "the height",
+          .parameters = {with_fallback(positive("initial-temperature", kEnergy, "of the start"), 1), mass(),
+                         diameter(), positive("number-density", "length^-dimension", "mean over the column"),
+                         fall(), lid(), freedom(), dimension()},
+          .evaluate = [part](const Arguments& given) { return first_bounce(sinking_from(given)).*part; }};
+}
 }  // namespace
 
 std::vector<Law> sedimentation_laws() {
-  return {temperature_law(), density_law(), height_law(), sound_law()};
+  return {temperature_law(),
+          density_law(),
+          height_law(),
+          sound_law(),
+          bounce_law("sedimentation-swing-time", "time at which the centre of mass is lowest", "time",
+                     &Bounce::time),
+          bounce_law("sedimentation-overshoot",
+                     "how far the centre of mass sinks below its place at rest, over its fall to there", "1",
+                     &Bounce::depth)};
 }
 
 }  // namespace sandglass::law

@@ -16,7 +16,7 @@ class Collisionless final : public CellSimulator<D> {
   Collisionless(const Grid<D>& grid, const SpeciesTraits& traits, double weight,
                 const motion::MotionParameters<D>& motion, const Streams& streams,
                 const std::vector<ColumnInfo>& columns = {}, const Faults& faults = {})
-      : CellSimulator<D>(grid, traits, weight, motion, streams, columns), faults_(faults) {}
+      : CellSimulator<D>(grid, {traits}, weight, motion, streams, columns), faults_(faults) {}
 
   void step(double dt, std::uint64_t step) override;
 

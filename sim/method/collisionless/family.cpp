@@ -27,7 +27,7 @@ class Builder final : public MethodBuilder<D> {
   explicit Builder(const BuildRequest& request)
       : scene_(request.scene),
         grid_(grid_of_edge<D>(scene_, edge_for(scene_, kParticlesPerCell))),
-        motion_(motion_of<D>(with_boundary_fault(scene_, request.fault))) {
+        motion_(motion_of<D>(with_scene_fault(scene_, request.fault))) {
     plant(planted_faults(), request.fault, faults_);
   }
 

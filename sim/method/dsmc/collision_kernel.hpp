@@ -65,7 +65,8 @@ class CollisionKernel final : public CollisionStage<D> {
       task.square_diagonal = task.box.square_diagonal();
       task.random = Random(step.key, cell);
       const double pairs = static_cast<double>(particles) * (static_cast<double>(particles) - 1);
-      double expected = step.coefficient * pairs * rule_.bound(std::sqrt(task.square_diagonal));
+      double expected = step.coefficient * pairs *
+                        rule_.bound(rule_.columns(step, begin), particles, std::sqrt(task.square_diagonal));
       if (step.factor != nullptr) expected *= step.factor[cell];
       require_few(expected, particles);
       task.candidates = rule_.whole(expected, task.random);
@@ -79,7 +80,7 @@ class CollisionKernel final : public CollisionStage<D> {
     const std::uint32_t begin = step.offsets[task.cell], count = step.offsets[task.cell + 1] - begin;
     const typename Rule::Columns columns = rule_.columns(step, begin);
     Random random = task.random;  // in registers
-    double square_bound = square(rule_.bound(1)) * task.square_diagonal;
+    double square_bound = square(rule_.bound(columns, count, 1)) * task.square_diagonal;
     const bool displaces = Displaces && (step.still == nullptr || step.still[task.cell] == 0);
     double transfer = 0;
     for (std::uint64_t left = task.candidates; left > 0; --left) {

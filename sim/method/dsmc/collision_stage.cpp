@@ -3,6 +3,8 @@
 #include "sim/base/error.hpp"
 #include "sim/method/dsmc/faulty_pairs.hpp"
 #include "sim/method/dsmc/fitted_pairs.hpp"
+#include "sim/method/dsmc/mixed_pairs.hpp"
+#include "sim/method/dsmc/rough_pairs.hpp"
 
 #include <fmt/format.h>
 
@@ -21,12 +23,16 @@ std::unique_ptr<CollisionStage<D>> make_kernel(const Parameters& parameters);
 
 template <int D>
 std::unique_ptr<CollisionStage<D>> make_collision_stage(const Parameters& parameters) {
+  if (parameters.kinds.rough) return make_kernel<D, RoughPairs<D>>(parameters);
+  if (parameters.kinds.mixed()) return make_kernel<D, MixedPairs<D>>(parameters);
   if (parameters.impact.fitted()) return make_kernel<D, FittedPairs<D>>(parameters);
   return make_kernel<D, SmoothPairs<D>>(parameters);
 }
 
 template <int D>
 std::unique_ptr<CollisionStage<D>> make_faulty_collision_stage(const Parameters& parameters) {
+  if (parameters.kinds.rough) return make_kernel<D, FaultyPairs<D, RoughPairs<D>>>(parameters);
+  if (parameters.kinds.mixed()) return make_kernel<D, FaultyPairs<D, MixedPairs<D>>>(parameters);
   if (parameters.impact.fitted()) return make_kernel<D, FaultyPairs<D, FittedPairs<D>>>(parameters);
   return make_kernel<D, FaultyPairs<D, SmoothPairs<D>>>(parameters);
 }

@@ -5,19 +5,25 @@ namespace sandglass::dsmc {
 namespace {
 /// Particles that are collided and then moved while the first cache still holds them.
 constexpr std::uint32_t kBlock = 512;
+
+std::vector<SpeciesTraits> traits_of(const Parameters& parameters) {
+  if (parameters.kinds.any()) return parameters.kinds.species;
+  return {{parameters.diameter, parameters.mass}};
+}
 }  // namespace
 
 template <int D>
 Dsmc<D>::Dsmc(const LatticeOfCells<D>& cells, const Parameters& parameters,
               const motion::MotionParameters<D>& motion, const Streams& streams, Purpose purpose,
               const std::vector<ColumnInfo>& columns)
-    : CellSimulator<D>(cells, {parameters.diameter, parameters.mass}, parameters.weight, motion, streams,
-                       columns),
+    : CellSimulator<D>(cells, traits_of(parameters), parameters.weight, motion, streams, columns),
       parameters_(parameters),
       purpose_(purpose),
       collisions_(parameters.faults.any() ? make_faulty_collision_stage<D>(parameters)
                                           : make_collision_stage<D>(parameters)),
       stages_(cells, this->periodic()) {
+  if (parameters.count_by_species)
+    tally_.by_species.resize(parameters.kinds.species.size() * parameters.kinds.species.size());
   if (parameters.partners == Partners::contact)
     contact_ = std::make_unique<ContactPartners<D>>(parameters, cells.grid(), this->periodic());
   if (!parameters.excluded_volume.any()) return;
@@ -96,7 +102,9 @@ CollisionStep<D> Dsmc<D>::collision_step(double dt, const StreamKey& key) {
           store_.phases().data(),
           store_.offsets().data(),
           &tally_,
-          &bound_raised_};
+          &bound_raised_,
+          parameters_.kinds.mixed() ? store_.column(column::species).data() : nullptr,
+          parameters_.kinds.rough ? store_.column(column::spin<D>).data() : nullptr};
 }
 
 template <int D>

@@ -25,17 +25,19 @@ class Builder final : public MethodBuilder<D> {
       : scene_(request.scene),
         parameters_(parameters_of<D>(scene_)),
         cells_(cells_of<D>(scene_, default_particles_per_cell(D, parameters_, density()))),
-        motion_(motion_of<D>(with_boundary_fault(scene_, request.fault))) {
+        motion_(motion_of<D>(with_scene_fault(scene_, request.fault))) {
     plant(planted_faults(), request.fault, parameters_, D);
     if (parameters_.partners == Partners::contact && parameters_.faults.any())
       throw InputError(
           "the planted fault is one of collisions within a cell; with partners = \"contact\" plant "
           "another, such as 'partners-at-half-the-distance'");
     parameters_.measure_transfer = request.needs.transfer;
+    parameters_.count_by_species = request.needs.by_species;
     motion_.offsets = parameters_.offset.any();
   }
 
   double collision_rate(double temperature) const override {
+    if (parameters_.kinds.mixed()) return rate_of_points(scene_, temperature);
     const Species& species = scene_.species.front();
     const double contact =
         parameters_.factor.formula == nullptr ? 1 : parameters_.factor.formula(fraction(scene_)).value;
@@ -50,17 +52,20 @@ class Builder final : public MethodBuilder<D> {
     motion::MotionParameters<D> motion = motion_;
     motion.planes = attachments.planes;
     motion.impulses = attachments.impulses;
-    std::vector<ColumnInfo> columns;
-    if (scene_.output.ids) columns.push_back(column::id);
-    return std::make_unique<Dsmc<D>>(cells_, parameters_, motion, streams, Purpose::collisions, columns);
+    return std::make_unique<Dsmc<D>>(cells_, parameters_, motion, streams, Purpose::collisions,
+                                     columns(parameters_.kinds, scene_.output.ids));
   }
 
   std::unique_ptr<Simulator<D>> build_elastic(const Streams& streams) const override {
     Parameters elastic = parameters_;
     elastic.restitution = 1;
     elastic.measure_transfer = false;
+    elastic.count_by_species = false;
+    elastic.kinds.rough = false;
+    elastic.kinds.surfaces.assign(elastic.kinds.surfaces.size(), Surface{});
+    // Ids lead back to the species and spins of the start.
     return std::make_unique<Dsmc<D>>(cells_, elastic, motion::conserving(motion_), streams,
-                                     Purpose::equilibration);
+                                     Purpose::equilibration, columns(elastic.kinds, elastic.kinds.any()));
   }
 
   void plan(Plan& plan) const override {
@@ -68,6 +73,8 @@ class Builder final : public MethodBuilder<D> {
     plan.particles_per_cell = static_cast<double>(plan.particles) / static_cast<double>(cells_.grid().size());
     plan.cell_size_in_mean_free_paths = std::pow(cells_.grid().cell_volume(), 1.0 / D) / plan.mean_free_path;
     plan.columns = {"position", "velocity", "cell"};
+    if (parameters_.kinds.mixed()) plan.columns.push_back("species");
+    if (parameters_.kinds.rough) plan.columns.push_back("spin");
     if (scene_.output.ids) plan.columns.push_back("id");
     plan.bytes_per_particle = bytes_per_particle(static_cast<double>(plan.particles));
     plan.feature("contact factor of the local density", parameters_.factor.formula != nullptr);
@@ -80,6 +87,8 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("cells displaced at random", cells_.shifted_cells().has_value());
     plan.feature("cells that stand on a corner", cells_.diagonal_cells().has_value());
     plan.feature("fitted impact parameters", parameters_.impact.fitted());
+    plan.feature("several species", parameters_.kinds.mixed());
+    plan.feature("spins and rough contacts", parameters_.kinds.rough);
     plan.feature("walls with a rule", !motion_.walls.empty());
     plan.feature("particle identities", scene_.output.ids);
     warn(plan);
@@ -92,6 +101,14 @@ class Builder final : public MethodBuilder<D> {
   }
 
  private:
+  static std::vector<ColumnInfo> columns(const Kinds& kinds, bool ids) {
+    std::vector<ColumnInfo> columns;
+    if (ids) columns.push_back(column::id);
+    if (kinds.mixed()) columns.push_back(column::species);
+    if (kinds.rough) columns.push_back(column::spin<D>);
+    return columns;
+  }
+
   /// Of real particles.
   double density() const {
     return static_cast<double>(particle_count(scene_)) * scene_.method.weight / volume(scene_.domain);
@@ -103,6 +120,7 @@ class Builder final : public MethodBuilder<D> {
                             (parameters_.partners == Partners::contact ? 4 + sizeof(VelocityBox<D>) : 0) +
                             (cells_.volumes().empty() ? 0 : 8 + 8);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
+           (parameters_.kinds.mixed() ? 2 : 0) + (parameters_.kinds.rough ? 2 * sizeof(Spin<D>) : 0) +
            (parameters_.excluded_volume.any() ? 5 : 0) +
            (per_cell + (parameters_.excluded_volume.any() ? 21 + 8 * D : 0)) * cells_.size() / particles;
   }
@@ -178,9 +196,9 @@ std::unique_ptr<MethodBuilder<D>> make_builder(const BuildRequest& request) {
 }  // namespace
 
 const FamilyBuilder& family() {
-  static const FamilyBuilder all{"dsmc",
-                                 names_of_faults(planted_faults(), boundary_faults(), exchange_faults()),
-                                 make_builder<2>, make_builder<3>};
+  static const FamilyBuilder all{
+      "dsmc", names_of_faults(planted_faults(), boundary_faults(), exchange_faults(), step_faults()),
+      make_builder<2>, make_builder<3>};
   return all;
 }
 

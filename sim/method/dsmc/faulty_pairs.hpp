@@ -10,10 +10,11 @@ class FaultyPairs : public Rule {
  public:
   using Columns = typename Rule::Columns;
 
-  explicit FaultyPairs(const Parameters& parameters)
-      : Rule(parameters), restitution_(parameters.restitution), faults_(parameters.faults) {}
+  explicit FaultyPairs(const Parameters& parameters) : Rule(parameters), faults_(parameters.faults) {}
 
-  double bound(double speed) const { return faults_.bound * speed; }
+  double bound(const Columns& columns, std::uint32_t count, double speed) const {
+    return faults_.bound * Rule::bound(columns, count, speed);
+  }
   std::uint64_t whole(double expected, Random& random) const {
     return faults_.fraction_truncated ? static_cast<std::uint64_t>(expected) : Rule::whole(expected, random);
   }
@@ -24,18 +25,28 @@ class FaultyPairs : public Rule {
   }
   Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,
                     Random& random) const {
-    Vector<D>& velocity_1 = columns.phases[pair.first].velocity;
     Vector<D>& velocity_2 = columns.phases[pair.second].velocity;
-    const Vector<D> before_1 = velocity_1, before_2 = velocity_2;
+    const Vector<D> before_2 = velocity_2;
     const Vector<D> normal = contact_normal(relative, 1 / std::sqrt(square_speed),
                                             Vector<D - 1>(faults_.impact * this->impact(columns, random)));
-    SmoothInelastic{restitution_}(velocity_1, velocity_2, normal);
+    const Vector<D> change = strike(columns, pair, normal);
     velocity_2 += faults_.momentum_leak * (before_2 - velocity_2);
-    return velocity_1 - before_1;
+    return change;
   }
 
  private:
-  double restitution_;
+  Vector<D> strike(const Columns& columns, const Pair& pair, const Vector<D>& normal) const {
+    if constexpr (requires { columns.spins; }) {
+      Spin<D>&one = columns.spins[pair.first], &two = columns.spins[pair.second];
+      const Spin<D> before_1 = one, before_2 = two;
+      const Vector<D> change = Rule::strike(columns, pair, normal);
+      if (faults_.spins_reversed) one = 2 * before_1 - one, two = 2 * before_2 - two;
+      return change;
+    } else {
+      return Rule::strike(columns, pair, normal);
+    }
+  }
+
   Faults faults_;
 };
 

@@ -1,6 +1,7 @@
 #include "sim/method/dsmc/from_scene.hpp"
 
 #include "sim/base/packing.hpp"
+#include "sim/method/from_scene.hpp"
 #include "sim/method/grid_from_scene.hpp"
 #include "sim/physics/collision.hpp"
 #include "sim/scene/method/capabilities.hpp"
@@ -41,6 +42,11 @@ ExcludedVolume excluded_volume_of(int dimension, const DsmcOptions& options) {
     volume.entry = {{std::min(freezing_fraction(dimension), 0.85 * volume.densest), volume.densest}, {1, 0}};
   return volume;
 }
+
+Kinds kinds_of(const Scene& scene) {
+  if (scene.species.size() < 2 && !is_rough(scene)) return {};
+  return {sandglass::traits_of(scene), surfaces_of(scene), is_rough(scene)};
+}
 }  // namespace
 
 template <int D>
@@ -67,7 +73,8 @@ Parameters parameters_of(const Scene& scene) {
   parameters.diameter = species.diameter;
   parameters.mass = species.mass;
   parameters.restitution = species.restitution;
-  parameters.cross_section = cross_section(D, species.diameter);
+  parameters.cross_section = cross_section(D, largest_diameter(scene));
+  parameters.kinds = kinds_of(scene);
   parameters.weight = scene.method.weight;
   parameters.offset = offset_of(scene);
   parameters.poured = static_cast<double>(poured_count(scene));

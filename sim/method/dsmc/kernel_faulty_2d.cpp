@@ -1,10 +1,14 @@
 #include "sim/method/dsmc/collision_kernel.hpp"
 #include "sim/method/dsmc/faulty_pairs.hpp"
 #include "sim/method/dsmc/fitted_pairs.hpp"
+#include "sim/method/dsmc/mixed_pairs.hpp"
+#include "sim/method/dsmc/rough_pairs.hpp"
 
 namespace sandglass::dsmc {
 
 template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, SmoothPairs<2>>>(const Parameters&);
 template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, FittedPairs<2>>>(const Parameters&);
+template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, MixedPairs<2>>>(const Parameters&);
+template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, RoughPairs<2>>>(const Parameters&);
 
 }  // namespace sandglass::dsmc

@@ -22,7 +22,7 @@ class TwoSizes {
   Columns columns(const CollisionStep<2>& step, std::uint32_t first) const {
     return {step.particles + first};
   }
-  double bound(double speed) const { return 2 * speed; }  // two large disks
+  double bound(const Columns&, std::uint32_t, double speed) const { return 2 * speed; }  // two large disks
   std::uint64_t whole(double expected, Random& random) const {
     return static_cast<std::uint64_t>(expected + random.uniform());
   }

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "sim/method/dsmc/curve.hpp"
+#include "sim/observe/view.hpp"
+#include "sim/physics/contact.hpp"
 #include "sim/physics/contact_value.hpp"
 
 #include <cmath>
+#include <vector>
 
 namespace sandglass::dsmc {
 
@@ -42,6 +45,16 @@ struct Impact {
 /// Where the partner of a collision is looked for. contact: a diameter away, see ContactPartners.
 enum class Partners { cell, contact };
 
+/// Particles of several species, and those that spin. Empty: smooth ones of one species, which need no more than the numbers
+/// of Parameters.
+struct Kinds {
+  std::vector<SpeciesTraits> species;
+  std::vector<Surface> surfaces;  ///< of species a with species b at [a * species.size() + b]
+  bool rough = false;             ///< particles have spin
+  bool any() const { return !species.empty(); }
+  bool mixed() const { return species.size() > 1; }
+};
+
 /// Faults that the mutant suite plants; all at their honest values otherwise.
 struct Faults {
   double bound = 1;          ///< factor on the bound of relative speeds
@@ -49,6 +62,8 @@ struct Faults {
   double impact = 1;         ///< factor on the impact parameter
   bool acceptance_inverted = false;
   bool fraction_truncated = false;  ///< drops the fractional candidate
+  bool spins_reversed = false;      ///< a collision changes spins the wrong way round
+  bool first_reduced_mass = false;  ///< every pair has the reduced mass of two particles of the first species
   double expected_pairs = 1;        ///< factor on the pairs that PairCount::expected puts into a cell
   bool speeds_forgotten = false;    ///< PairCount::expected takes missing pairs for average ones
   double heat_share = 1;            ///< of the energy that collisions of cells take, given back
@@ -58,24 +73,27 @@ struct Faults {
   double contact_place = 0.5;  ///< where on the line of centres Partners::contact reads the contact value
   /// Of the collision kernel within cells; the others are those of their owners.
   bool any() const {
-    return bound != 1 || momentum_leak != 0 || impact != 1 || acceptance_inverted || fraction_truncated;
+    return bound != 1 || momentum_leak != 0 || impact != 1 || acceptance_inverted || fraction_truncated ||
+           spins_reversed || first_reduced_mass;
   }
 };
 
-/// Everything that the DSMC kernel must know about the particles.
+/// Everything that the DSMC kernel must know about the particles. Diameter, mass and restitution are those of one species.
 struct Parameters {
   double diameter = 1;
   double mass = 1;
   double restitution = 1;
-  double cross_section = 2;
-  double weight = 1;  ///< real particles per simulated one
+  double cross_section = 2;  ///< of a pair; of several species: of the widest
+  double weight = 1;         ///< real particles per simulated one
   LocalFactor factor;
   PairCount pair_count = PairCount::counted;
   Partners partners = Partners::cell;
   Offset offset;
   ExcludedVolume excluded_volume;
   Impact impact;
+  Kinds kinds;
   bool measure_transfer = false;
+  bool count_by_species = false;  ///< Tally::by_species
   double poured =
       0;  ///< particles that sources bring in: the window of the local density is chosen for them too
   Faults faults;

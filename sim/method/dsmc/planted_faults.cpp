@@ -1,23 +1,36 @@
 #include "sim/method/dsmc/planted_faults.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace sandglass::dsmc {
 
 namespace {
 using P = Parameters&;
+
+/// Of every pair, at most 1.
+void scale_restitution(P parameters, double factor) {
+  parameters.restitution = std::min(1.0, factor * parameters.restitution);
+  for (Surface& surface : parameters.kinds.surfaces)
+    surface.normal.value = std::min(1.0, factor * surface.normal.value);
 }
+}  // namespace
 
 const std::vector<FaultEntry<FaultChange>>& planted_faults() {
   static const std::vector<FaultEntry<FaultChange>> all = {
       {{"cross-section-plus-5-percent", "cross-section 5% too large"},
        [](P p, int) { p.cross_section *= 1.05; }},
       {{"restitution-plus-2-percent", "restitution 2% too large, at most 1"},
-       [](P p, int) { p.restitution = std::min(1.0, 1.02 * p.restitution); }},
-      {{"restitution-minus-2-percent", "restitution 2% too small"}, [](P p, int) { p.restitution *= 0.98; }},
-      {{"restitution-forgotten", "every collision elastic"}, [](P p, int) { p.restitution = 1; }},
+       [](P p, int) { scale_restitution(p, 1.02); }},
+      {{"restitution-minus-2-percent", "restitution 2% too small"},
+       [](P p, int) { scale_restitution(p, 0.98); }},
+      {{"restitution-forgotten", "every collision elastic"},
+       [](P p, int) {
+         p.restitution = 1;
+         for (Surface& surface : p.kinds.surfaces) surface.normal.value = 1;
+       }},
       {{"restitution-plus-20-percent", "restitution 20% too large, at most 1"},
-       [](P p, int) { p.restitution = std::min(1.0, 1.2 * p.restitution); }},
+       [](P p, int) { scale_restitution(p, 1.2); }},
       {{"acceptance-inverted", "pairs refused that should collide and the other way round"},
        [](P p, int) { p.faults.acceptance_inverted = true; }},
       {{"fraction-truncated", "fractional candidate dropped"},
@@ -28,6 +41,24 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](P p, int) { p.faults.momentum_leak = 1e-6; }},
       {{"impact-parameter-central", "impact parameters 10% too small"},
        [](P p, int) { p.faults.impact = 0.9; }},
+      {{"spins-reversed", "collisions change spins the wrong way round"},
+       [](P p, int) { p.faults.spins_reversed = true; }},
+      {{"tangential-restitution-flipped", "tangential restitution with the wrong sign"},
+       [](P p, int) {
+         for (Surface& surface : p.kinds.surfaces) surface.tangential = -surface.tangential;
+       }},
+      {{"friction-dropped", "rough contacts always stick"},
+       [](P p, int) {
+         for (Surface& surface : p.kinds.surfaces) surface.friction = std::numeric_limits<double>::infinity();
+       }},
+      {{"reduced-mass-of-first-species", "every pair has the reduced mass of the first species"},
+       [](P p, int) { p.faults.first_reduced_mass = true; }},
+      {{"cross-section-of-larger-species", "every pair has the cross-section of the largest species"},
+       [](P p, int) {
+         const double largest =
+             p.kinds.any() ? std::ranges::max(p.kinds.species, {}, &SpeciesTraits::diameter).diameter : 0;
+         for (SpeciesTraits& kind : p.kinds.species) kind.diameter = largest;
+       }},
       {{"offset-dropped", "no displacement after collisions"}, [](P p, int) { p.offset = {}; }},
       {{"offset-doubled", "displacement after collisions twice as long"},
        [](P p, int) { p.offset.consistent *= 2; }},
@@ -51,6 +82,8 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](P p, int) { p.faults.heat_share = 0; }},
       {{"cell-colours-fixed", "checkerboard of full cells does not swap"},
        [](P p, int) { p.faults.colours_fixed = true; }},
+      {{"entry-probability-ignored", "every cell that is not full lets in whoever comes"},
+       [](P p, int) { p.excluded_volume.entry = {}; }},
       {{"room-updated", "room of cells updated as particles arrive"},
        [](P p, int) { p.faults.room_updated = true; }},
       {{"impact-coefficient-ignored", "impact parameters uniform whatever was fitted"},

@@ -6,7 +6,7 @@
 namespace sandglass::dsmc {
 
 /// A pair rule says what the collision kernel must know of two particles: how often they collide, and what a collision
-/// does to them. This one: smooth particles of one species. Another rule (many species, rough) is a class with the same
+/// does to them. This one: smooth particles of one species. Another rule (MixedPairs, RoughPairs) is a class with the same
 /// members and a line in collision_stage.cpp; all the rest of the kernel is shared.
 template <int D>
 class SmoothPairs {
@@ -23,9 +23,9 @@ class SmoothPairs {
     return {step.particles + first};
   }
 
-  /// What candidates are drawn for: at least relative speed times cross-section of any pair, in units of that of
-  /// CollisionStep::coefficient, where no relative speed is above `speed`.
-  double bound(double speed) const { return speed; }
+  /// What candidates are drawn for: at least relative speed times cross-section of any pair among `count` particles of a
+  /// cell, in units of that of CollisionStep::coefficient, where no relative speed is above `speed`.
+  double bound(const Columns&, std::uint32_t, double speed) const { return speed; }
   /// Whole candidates of an expected number: the fraction is one more candidate with that probability.
   std::uint64_t whole(double expected, Random& random) const {
     return static_cast<std::uint64_t>(expected + random.uniform());
@@ -36,13 +36,21 @@ class SmoothPairs {
   }
   /// Impact parameter in diameters, for rules that draw it in another way than collide() does.
   Vector<D - 1> impact(const Columns&, Random& random) const { return uniform_impact<D>(random); }
-  /// Changes both particles and returns the change of the first velocity. `relative` is v_1 - v_2.
+  /// Changes both particles and returns the change of the first velocity along the line of centres. `relative` is
+  /// v_1 - v_2.
   Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,
                     Random& random) const {
     const Vector<D> change = smooth_kick(relative, square_speed, restitution_, random);
     columns.phases[pair.first].velocity += change;
     columns.phases[pair.second].velocity -= change;
     return change;
+  }
+  /// The same with a given line of centres, from the second to the first.
+  Vector<D> strike(const Columns& columns, const Pair& pair, const Vector<D>& normal) const {
+    Vector<D>& velocity = columns.phases[pair.first].velocity;
+    const Vector<D> before = velocity;
+    SmoothInelastic{restitution_}(velocity, columns.phases[pair.second].velocity, normal);
+    return velocity - before;
   }
   /// Sum over both partners of m v' . displacement when they move by +-`displacement`.
   double transfer(const Columns& columns, const Pair& pair, const Vector<D>& displacement) const {

@@ -11,6 +11,8 @@ template <int D>
 struct TestCells {
   Column<Phase<D>> particles;
   std::vector<std::uint32_t> offsets{0};
+  std::vector<std::uint8_t> species;  ///< empty: one
+  std::vector<Spin<D>> spins;         ///< empty: smooth
   Tally tally;
   std::uint64_t bound_raised = 0;
 
@@ -29,7 +31,9 @@ struct TestCells {
             particles.data(),
             offsets.data(),
             &tally,
-            &bound_raised};
+            &bound_raised,
+            species.empty() ? nullptr : species.data(),
+            spins.empty() ? nullptr : spins.data()};
   }
   void collide(const CollisionStage<D>& stage, double coefficient, std::uint64_t number) {
     stage.collide(step(coefficient, number), 0, size());

@@ -107,6 +107,8 @@ void Engine<C>::collide(std::uint32_t i, std::uint32_t j) {
   if (stall_.contact(now, impact.approach)) refuse_collapse(i, j);
   if (parameters_.measure_transfer) tally_.transfer.add(impact.impulse.dot(separation));
   ++tally_.collisions;
+  if (parameters_.count_by_species)
+    ++tally_.by_species[gas_.kind(i) * parameters_.species.size() + gas_.kind(j)];
   ++first.changes;
   ++second.changes;
   if (trace_ != nullptr) trace(i, j, normal, impact.approach);

@@ -25,6 +25,8 @@ Engine<C>::Engine(const Parameters<D>& parameters, Agents<D> agents, const Strea
       streams_(streams),
       trace_(trace) {
   tally_.impact.assign(parameters.impact_bins, 0);
+  if (parameters.count_by_species)
+    tally_.by_species.assign(parameters.species.size() * parameters.species.size(), 0);
   for (const auto& agent : agents_)
     if (agent->next() < HUGE_VAL) timers_.push_back(agent.get());
 }

@@ -26,11 +26,12 @@ class Builder final : public MethodBuilder<D> {
  public:
   explicit Builder(const BuildRequest& request)
       : scene_(request.scene),
-        faulty_scene_(with_boundary_fault(scene_, request.fault)),
+        faulty_scene_(with_scene_fault(scene_, request.fault)),
         parameters_(parameters_of<D>(faulty_scene_)) {
     plant(planted_faults(), request.fault, parameters_);
     parameters_.measure_transfer = request.needs.transfer;
     parameters_.impact_bins = request.needs.impact_bins;
+    parameters_.count_by_species = request.needs.by_species;
   }
 
   double collision_rate(double temperature) const override { return enskog_rate(scene_, temperature); }
@@ -53,6 +54,7 @@ class Builder final : public MethodBuilder<D> {
     elastic.gravity.setZero();
     elastic.measure_transfer = false;
     elastic.impact_bins = 0;
+    elastic.count_by_species = false;
     elastic.keep_ids = true;
     elastic.faults = {};
     return make_event_driven<D>(elastic, agents_of<D>(elastic_scene(scene_), elastic, nullptr, nullptr),

@@ -30,15 +30,8 @@ template <int D>
 Parameters<D> parameters_of(const Scene& scene) {
   Parameters<D> parameters;
   parameters.geometry = {vector_of<D>(scene.domain.size), periodic_axes<D>(scene)};
-  parameters.species.clear();
-  parameters.surfaces.clear();
-  for (const Species& species : scene.species) {
-    const double radius = species.diameter / 2;
-    parameters.species.push_back(
-        {species.diameter, species.mass, inertia_factor(species, D) * species.mass * radius * radius});
-    for (const Species& other : scene.species)
-      parameters.surfaces.push_back(mix(surface_of(scene, species), surface_of(scene, other)));
-  }
+  parameters.species = traits_of(scene);
+  parameters.surfaces = surfaces_of(scene);
   parameters.rough = is_rough(scene);
   parameters.contact_time = guard_of(scene.method).contact_time;
   parameters.gravity = vector_of<D>(scene.gravity);

@@ -21,6 +21,7 @@ struct Parameters {
   Vector<D> gravity = Vector<D>::Zero();
   bool measure_transfer = false;
   std::size_t impact_bins = 0;
+  bool count_by_species = false;  ///< Tally::by_species
   bool keep_ids = false;
   std::uint64_t particles = 0;           ///< how many there will be, for the size of the cells
   std::uint64_t obstacles = 0;           ///< likewise

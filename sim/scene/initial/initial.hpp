@@ -6,8 +6,9 @@
 
 namespace sandglass {
 
-/// barometric: as a gas at rest under gravity, exp(-m g z / T) between two walls.
-enum class Positions { random, lattice, random_without_overlap, barometric };
+/// barometric: as a gas at rest under gravity, exp(-m g z / T) between two walls. layers: a lattice with the species in
+/// their order from the top down.
+enum class Positions { random, lattice, random_without_overlap, barometric, layers };
 
 struct ShearWave {
   double amplitude = 0;  ///< velocity along axis 0, as a sine of the position along axis 1
@@ -15,7 +16,7 @@ struct ShearWave {
   bool operator==(const ShearWave&) const = default;
 };
 
-/// The initial state, unless `Scene::given` lists the particles: then all of this keeps its defaults, unused.
+/// The initial state, unless `Scene::given` lists the particles: then all but the last keeps its defaults, unused.
 struct Initial {
   Positions positions = Positions::random;
   double temperature = 1;        ///< granular temperature m<C^2>/D
@@ -24,6 +25,8 @@ struct Initial {
   std::optional<ShearWave> shear_wave;
   double equilibrate_collisions = 0;  ///< elastic collisions per particle before time zero
   double spin_temperature = 0;        ///< rotational granular temperature I<w^2>/(degrees of freedom)
+  std::optional<double> uniform_velocity = {};  ///< components even over +- this, instead of a temperature
+  double velocity_rounding = 0;  ///< of given particles: components even over what is given +- this
   bool operator==(const Initial&) const = default;
 };
 

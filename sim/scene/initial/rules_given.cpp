@@ -153,7 +153,9 @@ bool check_particle(const Scene& scene, std::size_t index, Diagnostics& diagnost
 
 /// A scene from a text keeps these defaults; one made in code may not.
 void check_unused(const Initial& initial, Diagnostics& diagnostics) {
-  if (initial != Initial() && diagnostics.clean("initial"))
+  Initial plain;
+  plain.velocity_rounding = initial.velocity_rounding;
+  if (initial != plain && diagnostics.clean("initial"))
     diagnostics.report("initial",
                        "'initial' says how to draw particles that are given one by one; leave it as "
                        "it is by default");

@@ -35,13 +35,24 @@ void check_barometric(const Scene& scene, Diagnostics& diagnostics) {
         "positions = \"barometric\" needs walls at both ends of the axis of gravity; use \"random\"");
 }
 
+/// What counts in collisions knows the rate of a gas with a temperature.
+void check_uniform_velocity(const Scene& scene, Diagnostics& diagnostics) {
+  const std::string path = "initial.uniform-velocity";
+  if (!scene.initial.uniform_velocity) return;
+  check_bounds(diagnostics, path, *scene.initial.uniform_velocity, at_least(0));
+  if (capabilities(scene).collisions && diagnostics.clean(path))
+    diagnostics.report(path, shown(path) + " cannot be used with the method '" + scene.method.preset +
+                                 "', whose particles collide: give 'temperature'");
+}
+
 /// Lattices know no obstacles, unless particles have a surface to keep off them.
 void check_lattice(const Scene& scene, Diagnostics& diagnostics) {
-  if (scene.initial.positions != Positions::lattice || scene.obstacles.empty() ||
+  const bool layered = scene.initial.positions == Positions::layers;
+  if (!(layered || scene.initial.positions == Positions::lattice) || scene.obstacles.empty() ||
       capabilities(scene).contacts || !scene.given.empty())
     return;
-  diagnostics.report("initial.positions",
-                     "positions = \"lattice\" would put particles inside the obstacles; use \"random\"");
+  diagnostics.report("initial.positions", std::string("positions = \"") + (layered ? "layers" : "lattice") +
+                                              "\" would put particles inside the obstacles; use \"random\"");
 }
 }  // namespace
 
@@ -56,6 +67,8 @@ void check_initial(const Scene& scene, Diagnostics& diagnostics) {
   for (std::size_t axis = 0; axis < initial.velocity.size(); ++axis)
     check_bounds(diagnostics, item_path("initial.velocity", axis), initial.velocity[axis], finite());
   if (initial.shear_wave) check_shear_wave(scene, diagnostics);
+  check_uniform_velocity(scene, diagnostics);
+  check_bounds(diagnostics, "initial.velocity-rounding", initial.velocity_rounding, at_least(0));
   if (!diagnostics.clean("initial.positions")) return;
   check_barometric(scene, diagnostics);
   check_lattice(scene, diagnostics);

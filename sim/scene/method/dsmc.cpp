@@ -106,6 +106,7 @@ void check(const Scene& scene, Diagnostics& diagnostics) {
         "with a [[source]] the number of particles changes, and the cells cannot follow from that at "
         "the start: give 'method.cells' or 'method.cell-size'");
   check_partners(scene, dsmc, diagnostics);
+  check_kinds(scene, dsmc, diagnostics);
 }
 
 Preset preset(const char* name, const char* summary, ContactFactor factor, Offset offset,
@@ -155,6 +156,8 @@ MethodFamily make_family() {
   MethodFamily family;
   family.name = "dsmc";
   family.can.weights = true;
+  family.can.species = true;
+  family.can.spins = true;
   family.can.cells = true;
   family.can.wall_rules = {specular, bounce_back, random_tangential_sign, thermal};
   family.can.obstacles = true;

@@ -24,6 +24,9 @@ void read_impact(Table& table, DsmcOptions& dsmc);
 void write_impact(Lines& lines, const DsmcOptions& dsmc);
 void check_impact(const DsmcOptions& dsmc, Diagnostics& diagnostics);
 
+/// Reports what cannot go with several species or with spins.
+void check_kinds(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics);
+
 /// Reports what cannot go with partners at contact.
 void check_partners(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics);
 

@@ -11,11 +11,12 @@ const MethodFamily& dsmc_family();
 const MethodFamily& event_driven_family();
 const MethodFamily& reservoir_family();
 const MethodFamily& collisionless_family();
+const MethodFamily& mixing_family();
 
 /// In the order of the alternatives of MethodOptions.
 const std::vector<const MethodFamily*>& method_families() {
-  static const std::vector<const MethodFamily*> all = {&dsmc_family(), &event_driven_family(),
-                                                       &reservoir_family(), &collisionless_family()};
+  static const std::vector<const MethodFamily*> all = {
+      &dsmc_family(), &event_driven_family(), &reservoir_family(), &collisionless_family(), &mixing_family()};
   return all;
 }
 

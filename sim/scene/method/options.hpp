@@ -87,7 +87,21 @@ struct CollisionlessOptions {
   bool operator==(const CollisionlessOptions&) const = default;
 };
 
+/// Particles that repel each other and support each other against gravity (Greenspan 1972).
+struct MixingOptions {
+  double repulsion_coefficient = 1;           ///< alpha
+  double softening_length = 0;                ///< xi
+  std::uint64_t repulsion_exponent = 2;       ///< p
+  std::uint64_t core_exponent = 0;            ///< beta, below a diameter
+  std::optional<double> cutoff;               ///< none: every pair repels
+  std::vector<std::uint64_t> support_blocks;  ///< along x and y; empty: gravity in full
+  double wall_speed_factor = 1;               ///< omega
+  double smallest_length = 1e-3;              ///< EPS of the listing
+  bool operator==(const MixingOptions&) const = default;
+};
+
 /// In the order of method_families().
-using MethodOptions = std::variant<DsmcOptions, EventDrivenOptions, ReservoirOptions, CollisionlessOptions>;
+using MethodOptions =
+    std::variant<DsmcOptions, EventDrivenOptions, ReservoirOptions, CollisionlessOptions, MixingOptions>;
 
 }  // namespace sandglass

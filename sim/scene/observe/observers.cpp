@@ -39,10 +39,15 @@ const std::vector<ObserverKind>& observer_kinds() {
        {"axis", "position", "range", "bins"},
        ObserverSetting::plane},
       {{"fields", "number density, mean velocity and granular temperature on a grid of bins"}, {"grid"}},
+      {{"energy-flux", "flux of the kinetic energy that particles carry, on a grid of bins"}, {"grid"}},
+      {{"species-density", "number density of each species on a grid of bins"}, {"grid"}},
       {{"shear-mode", "amplitude of the velocity along x as a sine of y"}, {}},
       {{"rotational-energy", "rotational energy of all particles, and their rotational granular temperature"},
        {},
        ObserverSetting::spins},
+      {{"species", "granular temperature of each species, and collisions by pair of species"},
+       {},
+       ObserverSetting::mixture},
       {{"impact-parameter",
         "histogram of the impact parameter of the collisions, in units of the contact distance"},
        {"bins"},
@@ -60,13 +65,17 @@ const std::vector<ObserverKind>& observer_kinds() {
       {{"centre-of-mass", "position of the centre of mass along each axis that is not periodic"},
        {},
        ObserverSetting::bounded},
-      {{"wall-force", "force of the particles on each wall, and power that each wall gives them"},
+      {{"wall-force", "force of the particles on each wall, power that each wall gives them, heat that it takes"},
        {},
        ObserverSetting::bounded},
       {{"free-surface",
         "largest coordinate along an axis over each bin of the others: the surface of a heap"},
        {"axis", "grid"}},
-      {{"kinetic-stress", "kinetic part of the pressure tensor on a grid of bins"}, {"grid"}}};
+      {{"kinetic-stress", "kinetic part of the pressure tensor on a grid of bins"}, {"grid"}},
+      {{"two-fluids",
+        "density on a grid of bins and mean place of the first species and of all others, and their mixing "
+        "index"},
+       {"grid"}}};
   return list;
 }
 

@@ -17,6 +17,7 @@ enum class ObserverSetting {
   spins,      ///< particles whose spin changes
   periodic,   ///< a domain that is periodic along every axis
   bounded,    ///< an axis that is not periodic
+  mixture,    ///< several species
   plane,      ///< no particles in a box, only those that pass a plane
 };
 

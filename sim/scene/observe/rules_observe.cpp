@@ -109,6 +109,8 @@ void check_setting(const ObserverKind& kind, const Scene& scene, const std::stri
   if (kind.needs == ObserverSetting::spins && diagnostics.clean("species") && diagnostics.clean("wall") &&
       diagnostics.clean("obstacle") && !is_rough(scene))
     refuse("rough contacts: give 'tangential-restitution' above -1 to a species, wall or obstacle");
+  if (kind.needs == ObserverSetting::mixture && diagnostics.clean("species") && scene.species.size() < 2)
+    refuse("several species: give a second table [[species]]");
   const auto walled = [](const auto& sides) { return sides[0] != Side::periodic; };
   if (!diagnostics.clean("domain.sides")) return;
   const bool bounded = std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(), walled);

@@ -1,0 +1,8 @@
+#include "sim/method/dsmc/collision_kernel.hpp"
+#include "sim/method/dsmc/rough_pairs.hpp"
+
+namespace sandglass::dsmc {
+
+template std::unique_ptr<CollisionStage<2>> make_kernel<2, RoughPairs<2>>(const Parameters&);
+
+}  // namespace sandglass::dsmc

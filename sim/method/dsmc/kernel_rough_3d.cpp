@@ -1,0 +1,8 @@
+#include "sim/method/dsmc/collision_kernel.hpp"
+#include "sim/method/dsmc/rough_pairs.hpp"
+
+namespace sandglass::dsmc {
+
+template std::unique_ptr<CollisionStage<3>> make_kernel<3, RoughPairs<3>>(const Parameters&);
+
+}  // namespace sandglass::dsmc

@@ -1,0 +1,68 @@
+#include "sim/scene/method/dsmc.hpp"
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+namespace {
+constexpr std::size_t most_species = 255;  // a particle keeps its species in one byte
+
+/// Reports choices that a kind of particles cannot have.
+class Choices {
+ public:
+  Choices(const char* particles, Diagnostics& diagnostics)
+      : particles_(particles), diagnostics_(diagnostics) {}
+
+  void allow(bool allowed, const char* key, const char* word, const char* reason) {
+    const std::string path = std::string("method.") + key;
+    if (!allowed && diagnostics_.clean(path))
+      diagnostics_.report(path, fmt::format("'{}' must be \"{}\" with {}: {}; use the method 'dsmc' or "
+                                            "'event-driven'",
+                                            path, word, particles_, reason));
+  }
+
+ private:
+  const char* particles_;
+  Diagnostics& diagnostics_;
+};
+
+void check_mixture(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics) {
+  Choices choices("several species", diagnostics);
+  choices.allow(
+      dsmc.contact_factor == ContactFactor::none, "contact-factor", "none",
+      "the contact value of a mixture differs from pair to pair of species, and a cell has but one");
+  choices.allow(dsmc.offset == Offset::none, "offset", "none",
+                "an offset of one diameter is that of one species");
+  choices.allow(dsmc.pair_count == PairCount::counted, "pair-count", "counted",
+                "without an offset no pairs leave a cell");
+  if (!scene.sources.empty() && diagnostics.clean("source"))
+    diagnostics.report("source", "'source' pours one species: remove it or the further [[species]]");
+  if (scene.initial.positions == Positions::barometric && diagnostics.clean("initial.positions"))
+    diagnostics.report("initial.positions",
+                       "positions = \"barometric\" knows one mass: use \"random\" with several species");
+}
+
+/// What collides in another way than by pairs of a cell.
+void check_collisions(const DsmcOptions& dsmc, Choices choices) {
+  choices.allow(dsmc.excluded_volume == ExcludedVolume::none, "excluded-volume", "none",
+                "full cells collide as a whole, as smooth particles of one species");
+  choices.allow(dsmc.partners == Partners::cell, "partners", "cell",
+                "partners a diameter away are smooth and of one species");
+  choices.allow(dsmc.impact == ImpactDistribution::uniform, "impact", "uniform",
+                "the fitted distribution is that of smooth particles of one species");
+}
+}  // namespace
+
+void check_kinds(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics) {
+  if (scene.species.size() > most_species)
+    diagnostics.report(item_path("species", most_species),
+                       fmt::format("{} species; at most {} are allowed", scene.species.size(), most_species));
+  if (scene.species.size() > 1) {
+    check_mixture(scene, dsmc, diagnostics);
+    check_collisions(dsmc, {"several species", diagnostics});
+  } else if (is_rough(scene)) {
+    check_collisions(dsmc, {"rough contacts", diagnostics});
+  }
+}
+
+}  // namespace sandglass

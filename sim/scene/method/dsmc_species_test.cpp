@@ -1,0 +1,73 @@
+#include "sim/scene/test_bad_scene.hpp"
+
+namespace sandglass {
+namespace {
+
+const std::string mixture = R"([run]
+duration = { time = 10.0 }
+[domain]
+dimension = 2
+size = [10.0, 20.0]
+[[species]]
+name = "small"
+count = 100
+[[species]]
+name = "large"
+count = 100
+diameter = 2.0
+[method]
+preset = "dsmc"
+time-step = 0.1
+[[observe]]
+what = "species"
+every = { time = 1.0 }
+)";
+
+class Mixture : public testing::TestWithParam<BadEdit> {};
+
+TEST_P(Mixture, RefusesWhatCannotBe) { expect_refused(mixture, GetParam()); }
+
+const std::vector<BadEdit> mixture_edits = {
+    {"contact_value",
+     "time-step",
+     "contact-factor = \"local\"\ntime-step",
+     "15:18",
+     {"must be \"none\" with several species", "pair to pair", "'event-driven'"}},
+    {"offset", "time-step", "offset = \"consistent\"\ntime-step", "15:10", {"with several species"}},
+    {"expected_pairs", "time-step", "pair-count = \"expected\"\ntime-step", "15:14", {"\"counted\""}},
+    {"full_cells", "time-step", "excluded-volume = \"cells\"\ntime-step", "15:19", {"collide as a whole"}},
+    {"fitted",
+     "time-step",
+     "impact = \"fitted\"\nimpact-coefficient = 0.1\ntime-step",
+     "15:10",
+     {"smooth particles of one species"}},
+    {"barometric",
+     "[[observe]]",
+     "[initial]\npositions = \"barometric\"\n[[observe]]",
+     "17:13",
+     {"positions"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Edits, Mixture, testing::ValuesIn(mixture_edits), edit_name);
+
+TEST(Mixture, IsTaken) { EXPECT_EQ(read_scene_text(mixture, "scene.toml").species.size(), 2u); }
+
+TEST(RoughParticles, GoWithContactValueAndOffset) {
+  std::string rough = mixture;
+  const auto second = rough.find("[[species]]\nname = \"large\""), end = rough.find("[method]");
+  rough.replace(second, end - second, "tangential-restitution = 0.0\n");
+  rough.replace(rough.find("\"species\""), 9, "\"rotational-energy\"");
+  for (const char* preset : {"dsmc", "dsmc-enskog", "cba", "cba-expected-pairs"}) {
+    std::string text = rough;
+    text.replace(text.find("\"dsmc\""), 6, '"' + std::string(preset) + '"');
+    EXPECT_NO_THROW(read_scene_text(text, "scene.toml")) << preset;
+  }
+  for (const char* preset : {"esmc", "hsmc"}) {
+    std::string text = rough;
+    text.replace(text.find("\"dsmc\""), 6, '"' + std::string(preset) + '"');
+    EXPECT_THROW(read_scene_text(text, "scene.toml"), InputError) << preset;
+  }
+}
+
+}  // namespace
+}  // namespace sandglass
