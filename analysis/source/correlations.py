@@ -132,9 +132,9 @@ def draw_pairs(number, nu, r):
             raise Lacking("no run that observes pair-correlation and pair-velocity")
         picture, [row] = panels(3, width=11.5)
         for run in runs:
-            r, found = pairs(run)
+            distance, found = pairs(run)
             for panel, (label, (mean, error)) in zip(row, found.items()):
-                band(panel, r, mean, error, label=run.variant, **style(run.variant))
+                band(panel, distance, mean, error, label=run.variant, **style(run.variant))
                 panel.set(xlabel="r / d", title=label, xscale="log", xlim=(0.5, None))
         for panel in row:
             panel.axhline(0, color=BLACK, linewidth=0.8)

@@ -9,10 +9,10 @@ import pytest
 
 from analysis.errors import InputError
 from analysis.load import load_report
-from analysis.source import heap, runs
+from analysis.source import correlations, heap, runs
 from analysis.source.build import source_figures
 from analysis.source.catalogue import DRAWINGS, catalogue
-from analysis.tests.test_comparison import write_run
+from analysis.tests.test_comparison import series, write_run
 from analysis.tests.test_grid import row, write
 
 SCENE = '[domain]\nsize = [20.0, 20.0]\n[[species]]\ncount = 50\nrestitution = 0.8\n[method]\nweight = 2.0\n'
@@ -29,6 +29,23 @@ def report_of(folder, case, point, variants):
         write_run(folder / run["record"], run["variant"] == "event-driven")
     path.write_text(json.dumps(content), encoding="utf-8")
     return load_report(folder)
+
+
+def gas_with_pairs(folder):
+    """One run of the gas of figure 3.40: T/m is 0.04 at the end, g = 2.5, G_par = 0.02, G_perp = 0.01."""
+    import h5py
+    path = folder / "records" / "gas.h5"
+    write_run(path, True)
+    with h5py.File(path, "a") as file:
+        root = file["sandglass"]
+        for name in ("energy", "pair-correlation"):
+            del root[f"series/{name}"]
+        series(root, "energy", np.array([50.0, 10.0, 5.0, 2.0]))
+        for name, value in (("pair-correlation", 2.5), ("pair-velocity-parallel", 0.02), ("pair-velocity-transverse", 0.01)):
+            series(root, name, np.full((4, 5), value), np.arange(6))
+    scene = SCENE.replace("count = 50\nrestitution = 0.8", "count = 50\narea-fraction = 0.05\nrestitution = 0.85")
+    run = SimpleNamespace(variant="event-driven", point="dilute", scene=scene, record="records/gas.h5")
+    return runs.CaseRuns(SimpleNamespace(runs=[run], evidence=[]), folder)
 
 
 def test_every_figure_is_listed_once_and_drawn_or_explained():
@@ -76,6 +93,16 @@ def test_the_fraction_counts_real_particles():
     assert runs.Kept("dsmc", "", SCENE, None).fraction == pytest.approx(100 * np.pi / 4 / 400)
     given = SCENE.replace("count = 50", "area-fraction = 0.3")
     assert runs.Kept("dsmc", "", given, None).fraction == 0.3
+
+
+def test_pairs_of_a_cooling_gas_are_drawn_over_the_temperature(tmp_path):
+    case = gas_with_pairs(tmp_path)
+    distance, found = correlations.pairs(case.choose()[0])
+    assert distance[0] == 0.5 and [mean[0] for mean, _ in found.values()] == pytest.approx([1.5, 0.5, 0.25])
+    correlations.FIGURES["3.40"](case, tmp_path / "pairs")
+    assert (tmp_path / "pairs.png").stat().st_size > 5000
+    with pytest.raises(runs.Lacking, match="no gas with nu = 0.245"):
+        correlations.FIGURES["3.41"](case, tmp_path / "absent")
 
 
 @pytest.mark.parametrize("slope, tail", [(0.4, 3.0), (0.3, 0.0)])

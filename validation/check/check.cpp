@@ -45,6 +45,7 @@ std::vector<CheckInfo> join_families() {
                              bagnold_checks,
                              wall_balance_checks,
                              correlation_checks,
+                             pair_correlation_checks,
                              vibrated_bed_rise_checks,
                              vibrated_bed_flow_checks,
                              vibrated_bed_velocity_checks,

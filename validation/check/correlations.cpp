@@ -40,7 +40,8 @@ Mean mean_log_energy(const Subject& subject, double collisions) {
 }
 
 const CoolingPoint& reference(const Subject& subject, double collisions) {
-  return correlations_reference_at(fraction(subject.scene(), subject.species()), collisions);
+  return correlations_reference_at(subject.particles(), fraction(subject.scene(), subject.species()),
+                                   collisions);
 }
 
 Figure energy_figure(const Subject& subject) {
@@ -51,7 +52,9 @@ Figure energy_figure(const Subject& subject) {
       direct{"direct Monte Carlo", {}, {}};
   const double last = subject.collisions_per_particle(0, subject.series(0, "energy")).back();
   for (const CoolingPoint& point : correlations_reference()) {
-    if (std::abs(point.area_fraction - fraction(subject.scene(), subject.species())) > 1e-6) continue;
+    if (point.particles != subject.particles() ||
+        std::abs(point.area_fraction - fraction(subject.scene(), subject.species())) > 1e-6)
+      continue;
     for (auto [line, value] :
          {std::pair{&hard, point.event_driven}, {&hybrid, point.hsmc}, {&direct, point.dsmc}}) {
       line->x.push_back(point.collisions);

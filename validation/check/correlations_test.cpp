@@ -14,11 +14,11 @@ namespace {
 
 using namespace synthetic;
 
-constexpr double kFraction = 0.245, kTau = 60;
+constexpr double kParticles = 2500, kFraction = 0.245, kTau = 60;
 
 /// Eight replicas whose ln(E/E0) falls evenly to `end` at 60 collisions per particle, apart by 0.05.
 Record cooling_record(const std::string& method, double end) {
-  const GasScene scene{.particles = 1000, .area_fraction = kFraction, .restitution = 0.85};
+  const GasScene scene{.particles = 2500, .area_fraction = kFraction, .restitution = 0.85};
   Record record = record_of(scene, 8);
   const std::string before = "preset = \"";
   const std::size_t at = record.scene.find(before) + before.size();
@@ -28,7 +28,7 @@ Record cooling_record(const std::string& method, double end) {
     Series& energy = add_series(record, replica, "energy", {});
     for (int i = 0; i <= 13; ++i) add_sample(energy, i, {1000 * std::exp(slope * 5 * i)});
     Series& collisions = add_series(record, replica, "collisions", {});
-    for (int i = 0; i <= 13; ++i) add_sample(collisions, i, {500.0 * 5 * i});
+    for (int i = 0; i <= 13; ++i) add_sample(collisions, i, {kParticles / 2 * 5 * i});
   }
   return record;
 }
@@ -39,7 +39,7 @@ Evidence evaluate(const std::string& check, const Record& record, law::Arguments
 }
 
 TEST(EnergyAtCollisions, IsHeldAgainstHardDisks) {
-  const CoolingPoint& point = correlations_reference_at(kFraction, kTau);
+  const CoolingPoint& point = correlations_reference_at(kParticles, kFraction, kTau);
   const auto value = [&](double end) {
     return evaluate("energy-at-collisions", cooling_record("dsmc", end), {}).value;
   };
@@ -50,7 +50,7 @@ TEST(EnergyAtCollisions, IsHeldAgainstHardDisks) {
 }
 
 TEST(EnergyBelowHardDisks, IsTheirDistance) {
-  const CoolingPoint& point = correlations_reference_at(kFraction, kTau);
+  const CoolingPoint& point = correlations_reference_at(kParticles, kFraction, kTau);
   const Evidence evidence =
       evaluate("energy-below-hard-disks", cooling_record("dsmc", point.dsmc), {{"least", 0.1}});
   EXPECT_NEAR(evidence.value, point.event_driven - point.dsmc, 1e-9);
@@ -58,7 +58,7 @@ TEST(EnergyBelowHardDisks, IsTheirDistance) {
 }
 
 TEST(ImpactCorrection, IsZeroForThePlainMethodAndOneForHardDisks) {
-  const CoolingPoint& point = correlations_reference_at(kFraction, kTau);
+  const CoolingPoint& point = correlations_reference_at(kParticles, kFraction, kTau);
   EXPECT_NEAR(evaluate("impact-correction", cooling_record("dsmc", point.dsmc), {}).value, 0, 1e-9);
   EXPECT_NEAR(evaluate("impact-correction", cooling_record("dsmc", point.event_driven), {}).value, 1, 1e-9);
   EXPECT_NEAR(evaluate("impact-correction", cooling_record("hsmc", point.hsmc), {}).value, 0, 1e-9);
@@ -97,15 +97,15 @@ TEST(CorrelationsReference, RepeatsTheFileAndNamesItsPoints) {
     ASSERT_TRUE(std::getline(file, line));
     std::istringstream row(line);
     for (const double value :
-         {point.area_fraction, point.collisions, point.event_driven, point.event_driven_error, point.hsmc,
-          point.hsmc_error, point.dsmc, point.dsmc_error}) {
+         {point.particles, point.area_fraction, point.collisions, point.event_driven,
+          point.event_driven_error, point.hsmc, point.hsmc_error, point.dsmc, point.dsmc_error}) {
       std::string cell;
       std::getline(row, cell, ',');
       EXPECT_EQ(std::stod(cell), value) << line;
     }
   }
-  EXPECT_THROW(correlations_reference_at(0.245, 33), InputError);
-  EXPECT_THROW(correlations_reference_at(0.1, 60), InputError);
+  EXPECT_THROW(correlations_reference_at(2500, 0.245, 33), InputError);
+  EXPECT_THROW(correlations_reference_at(2500, 0.1, 60), InputError);
 }
 
 }  // namespace

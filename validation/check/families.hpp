@@ -38,6 +38,7 @@ std::vector<CheckInfo> collapse_checks();
 std::vector<CheckInfo> bagnold_checks();
 std::vector<CheckInfo> wall_balance_checks();
 std::vector<CheckInfo> correlation_checks();
+std::vector<CheckInfo> pair_correlation_checks();
 std::vector<CheckInfo> vibrated_bed_rise_checks();
 std::vector<CheckInfo> vibrated_bed_flow_checks();
 std::vector<CheckInfo> vibrated_bed_velocity_checks();
