@@ -22,11 +22,12 @@ TEST(Mixing, WorkIsTheIntegralOfTheAcceleration) {
     }
 }
 
-/// Hard disks turn by 2 acos(b/d): a core steep enough is one.
+/// Hard disks turn by 2 acos(b/d): a core steep enough is one, as large as the distance at which it stops them.
 TEST(Mixing, DeflectionOfASteepCoreIsThatOfHardDisks) {
   const PairRepulsion steep{1e-3, 2, 400, 0, 1, 2};
   for (const double b : {0.2, 0.5, 0.9})
-    EXPECT_NEAR(deflection_angle(steep, 1, 1, b), 2 * std::acos(b), 0.03) << b;
+    EXPECT_NEAR(deflection_angle(steep, 1, 1, b), 2 * std::acos(b / turning_distance(steep, 1, 1, 0)), 0.01)
+        << b;
 }
 
 /// Nothing to turn: a straight line.
@@ -44,7 +45,7 @@ TEST(Mixing, DeflectionIsThatOfTheOrbit) {
       const double r = std::hypot(px, py);
       return repulsion_acceleration(law, 35, r) / r;
     };
-    while (std::hypot(x, y) < 1.6 * law.cutoff) {
+    while (std::hypot(x, y) < 1.8 * law.cutoff) {
       const double mx = x + dt / 2 * vx, my = y + dt / 2 * vy, a = push(mx, my);
       vx += dt * a * mx;
       vy += dt * a * my;

@@ -16,7 +16,7 @@ const MixingOptions* repulsion_in(const Scene& scene) {
 }
 
 namespace {
-const std::string here = "with the method 'mixing' ";
+const std::string here = "with the method 'mixing', ";
 constexpr std::size_t most_species = 255;  // a particle keeps its species in one byte
 constexpr double most_exponent = 100;
 constexpr double most_blocks = 1e6;

@@ -41,17 +41,17 @@ const std::vector<BadEdit> edits = {
     {"periodic",
      "y = \"specular\" }",
      "y = \"periodic\" }",
-     "6:27",
+     "6:31",
      {"'domain.sides.y' must be \"specular\"", "walls on all sides"}},
-    {"upwards", "-980.0", "980.0", "22:1", {"must act downwards", "[0, -980]"}},
-    {"aslant", "[0.0, -980.0]", "[1.0, -980.0]", "22:1", {"must act downwards"}},
+    {"upwards", "-980.0", "980.0", "22:11", {"must act downwards", "[0, -980]"}},
+    {"aslant", "[0.0, -980.0]", "[1.0, -980.0]", "22:11", {"must act downwards"}},
     {"one_row", "[4, 4]", "[4, 1]", "20:22", {"'method.support-blocks' is 1; allowed: 2 to"}},
     {"no_column", "[4, 4]", "[0, 4]", "20:19", {"'method.support-blocks' is 0; allowed: 1 to"}},
-    {"three_blocks", "[4, 4]", "[4, 4, 4]", "20:1", {"'method.support-blocks'", "2"}},
+    {"three_blocks", "[4, 4]", "[4, 4, 4]", "20:18", {"'method.support-blocks'", "2"}},
     {"nothing_to_support",
      "[forces]\ngravity = [0.0, -980.0]\n",
      "",
-     "20:1",
+     "20:18",
      {"reduces gravity, and there is none", "remove it"}},
     {"diameters",
      "count = 12\ndiameter = 20.0",
@@ -74,7 +74,7 @@ const std::vector<BadEdit> edits = {
     {"collisions",
      "time-step = 1e-3",
      "time-step = { collisions-per-particle = 0.1 }",
-     "18:1",
+     "18:13",
      {"no collisions to count"}},
     {"wall",
      "[[observe]]",
@@ -143,7 +143,6 @@ const std::vector<BadEdit> given_edits = {
      "19:12",
      {"particles 1 and 2 (counted from 1) are at the same place", "'method.softening-length' above 0"}},
     {"outside", "[60.0, 50.0]", "[60.0, 101.0]", "19:19", {"outside the domain; allowed: 0 to 100"}},
-    {"three_dimensions", "dimension = 2", "dimension = 3", "4:13", {"'domain.dimension' must be 2"}},
     {"rounding", "0.005", "-0.005", "14:21", {"allowed: 0 or more"}},
 };
 INSTANTIATE_TEST_SUITE_P(Edits, MixingGiven, testing::ValuesIn(given_edits), edit_name);
@@ -153,6 +152,17 @@ TEST(MixingGiven, MayCoincideWhereSoftened) {
   text.replace(text.find("[60.0, 50.0]"), 12, "[50.0, 50.0]");
   text.replace(text.find("time-step"), 0, "softening-length = 0.1\n");
   EXPECT_NO_THROW(read_scene_text(text, "scene.toml"));
+}
+
+TEST(MixingGiven, IsFlat) {
+  std::string text = kTwo;
+  text.replace(text.find("dimension = 2"), 13, "dimension = 3");
+  try {
+    read_scene_text(text, "scene.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("'domain.dimension' must be 2 with the method 'mixing'"));
+  }
 }
 
 TEST(MixingGiven, IsReadAsWritten) {
