@@ -9,7 +9,7 @@ import pytest
 
 from analysis.errors import InputError
 from analysis.load import load_report
-from analysis.source import correlations, heap, runs
+from analysis.source import correlations, heap, pipe, runs
 from analysis.source.build import source_figures
 from analysis.source.catalogue import DRAWINGS, catalogue
 from analysis.tests.test_comparison import series, write_run
@@ -119,3 +119,29 @@ def test_an_error_needs_two_replicas():
     assert (mean[0], error[0]) == (2, pytest.approx(1))
     with pytest.raises(runs.Lacking, match="0 of 1 runs of hsmc"):
         runs.CaseRuns(SimpleNamespace(runs=[]), None).choose("*", "hsmc")
+
+
+class Pipe:
+    """A run with `rate` passages down and one up per unit of time in one replica, twice as many in the other."""
+
+    def __init__(self, restitution, length, rate=0.0):
+        self.species = {"restitution": restitution}
+        self.scene = {"domain": {"size": [20.0, length]}}
+        time = np.arange(0, 11.0)
+        passed = np.stack([time, time * (rate + 1)], axis=1)
+        self.found = [SimpleNamespace(time=time, value=factor * passed) for factor in (1, 2)]
+
+    def series(self, name):
+        assert name == "crossing-count"
+        return self.found
+
+
+def test_the_flow_of_a_pipe_is_what_passes_a_plane():
+    rate, error = pipe._flow_rate(Pipe(0, 200.0, rate=40.0))
+    assert (rate, error) == pytest.approx((1.5 * 2 * np.pi / 4, 0.5 * 2 * np.pi / 4))
+
+
+def test_of_pipes_alike_one_is_chosen_by_length():
+    runs = [Pipe(0.99, 200.0), Pipe(0, 1000.0), Pipe(0, 200.0)]
+    assert pipe._by_restitution(runs, pipe._length) == [runs[0], runs[2]]
+    assert pipe._by_restitution(runs, lambda run: -pipe._length(run)) == [runs[0], runs[1]]
