@@ -109,7 +109,7 @@ Record cooled(double factor) {
 
 TEST(MixtureChecks, SeeEquipartitionWhereItBreaks) {
   const CheckInfo& check = find_check("species-temperature-ratio");
-  const Settings settle{.numbers = {{"settle-collisions", 10}}};
+  const Settings settle{{{"settle-collisions", 10}}, 0, 0, ""};
   const Evidence good = run_check(check, cooled(1), settle),
                  bad = run_check(check, cooled(1 / good.expected), settle);
   EXPECT_LT(good.expected, 0.9);
@@ -143,7 +143,7 @@ Record rough(double tangential) {
 }
 
 TEST(RoughChecks, SeeAWrongTangentialRestitution) {
-  const Settings after{.numbers = {{"collisions", 4}}}, settle{.numbers = {{"settle-collisions", 8}}};
+  const Settings after{{{"collisions", 4}}, 0, 0, ""}, settle{{{"settle-collisions", 8}}, 0, 0, ""};
   for (const char* name : {"rough-translation", "rough-rotation"}) {
     const CheckInfo& check = find_check(name);
     const Evidence good = run_check(check, rough(0), after), bad = run_check(check, rough(0.5), after);
