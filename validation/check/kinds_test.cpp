@@ -109,7 +109,7 @@ Record cooled(double factor) {
 
 TEST(MixtureChecks, SeeEquipartitionWhereItBreaks) {
   const CheckInfo& check = find_check("species-temperature-ratio");
-  const Settings settle{.numbers = {{"settle-collisions", 10}}};
+  const Settings settle{{{"settle-collisions", 10}}, 0, 0, ""};
   const Evidence good = run_check(check, cooled(1), settle),
                  bad = run_check(check, cooled(1 / good.expected), settle);
   EXPECT_LT(good.expected, 0.9);
@@ -143,17 +143,13 @@ Record rough(double tangential) {
 }
 
 TEST(RoughChecks, SeeAWrongTangentialRestitution) {
-  const Settings after{.numbers = {{"collisions", 4}}}, settle{.numbers = {{"settle-collisions", 8}}};
+  const Settings after{{{"collisions", 4}}, 0, 0, ""};
   for (const char* name : {"rough-translation", "rough-rotation"}) {
     const CheckInfo& check = find_check(name);
     const Evidence good = run_check(check, rough(0), after), bad = run_check(check, rough(0.5), after);
     EXPECT_LT(deviation(good), 5 * good.standard_error + good.budget.systematic) << name;
     EXPECT_GT(deviation(bad), 5 * bad.standard_error + bad.budget.systematic) << name;
   }
-  const CheckInfo& ratio = find_check("rough-temperature-ratio");
-  const Evidence good = run_check(ratio, rough(0), settle), bad = run_check(ratio, rough(0.5), settle);
-  EXPECT_LT(deviation(good), 0.08 * good.expected);  // the slow mode is not alone yet after eight collisions
-  EXPECT_GT(deviation(bad), 0.08 * bad.expected);
 }
 
 }  // namespace

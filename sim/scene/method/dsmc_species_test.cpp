@@ -7,7 +7,7 @@ const std::string mixture = R"([run]
 duration = { time = 10.0 }
 [domain]
 dimension = 2
-size = [10.0, 20.0]
+size = [20.0, 40.0]
 [[species]]
 name = "small"
 count = 100
