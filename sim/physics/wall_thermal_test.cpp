@@ -26,14 +26,14 @@ Vector<D> normal() {
 }
 
 template <int D>
-std::vector<Leaving<D>> leaving() {
+std::vector<Leaving<D>> leaving(double flux = 1) {
   Random random(StreamKey(32, Purpose::collisions, 0, 0), 0);
   const Vector<D> wall = Vector<D>::Constant(0.8);
   std::vector<Leaving<D>> list(kHits);
   for (Leaving<D>& one : list) {
     one.velocity = wall - normal<D>();
     one.spin.setZero();
-    reflect<D>({WallKind::thermal, {}, 1, kTemperature}, normal<D>(), wall,
+    reflect<D>({WallKind::thermal, {}, flux, kTemperature}, normal<D>(), wall,
                {one.velocity, &one.spin, kMass, 0.5, kInertia}, random);
     one.velocity -= wall;
   }
@@ -76,6 +76,14 @@ void expect_flux() {
 
 TEST(ThermalWall, HasTheFluxOfAGasAtItsTemperatureInTwoDimensions) { expect_flux<2>(); }
 TEST(ThermalWall, HasTheFluxOfAGasAtItsTemperatureInThreeDimensions) { expect_flux<3>(); }
+
+/// The planted fault: T/2 along the normal as along every other axis.
+TEST(ThermalWall, OfTheFaultHasMaxwellsNormalVelocities) {
+  expect_mean<2>(
+      leaving<2>(0),
+      [](const Leaving<2>& one) { return 0.5 * kMass * std::pow(one.velocity.dot(normal<2>()), 2); },
+      kTemperature / 2, "normal energy");
+}
 
 }  // namespace
 }  // namespace sandglass
