@@ -67,7 +67,7 @@ TEST(BoundaryFaults, ChangeWhatTheySay) {
 
 TEST(BoundaryFaults, NoneChangesNothing) {
   EXPECT_EQ(with_scene_fault(driven_scene(), ""), driven_scene());
-  EXPECT_EQ(boundary_faults().size() + exchange_faults().size() + step_faults().size(), 12u);
+  EXPECT_EQ(boundary_faults().size() + exchange_faults().size() + step_faults().size(), 15u);
 }
 
 /// Each mirror gets a table, whether the scene has one or not; the open and the thermal side stay as they are.
@@ -81,10 +81,10 @@ TEST(BoundaryFaults, LossOfMirrorsReachesThoseWithoutATable) {
   expected.walls[1].axis = 1;
   expected.walls[1].high = true;
   for (Wall& wall : expected.walls) wall.surface.restitution = 0.98;
-  EXPECT_EQ(with_boundary_fault(scene, "mirrors-lose-2-percent"), expected);
+  EXPECT_EQ(with_scene_fault(scene, "mirrors-lose-2-percent"), expected);
   scene.walls[0].surface.rule = expected.walls[0].surface.rule = SurfaceKind::thermal;
   expected.walls[0].surface.restitution = 1;
-  EXPECT_EQ(with_boundary_fault(scene, "mirrors-lose-2-percent"), expected);
+  EXPECT_EQ(with_scene_fault(scene, "mirrors-lose-2-percent"), expected);
 }
 
 }  // namespace

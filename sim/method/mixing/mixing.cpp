@@ -41,7 +41,7 @@ Grid<2> cells_of(const Parameters& parameters) {
 }
 
 Mixing::Mixing(const Parameters& parameters, const Streams& streams)
-    : CellSimulator<2>(cells_of(parameters), parameters.species.front(), 1, walled(), streams,
+    : CellSimulator<2>(cells_of(parameters), parameters.species, 1, walled(), streams,
                        columns_of(parameters)),
       parameters_(parameters),
       pairs_(parameters.repulsion, cells_of(parameters)) {
@@ -90,15 +90,8 @@ void Mixing::refuse(std::uint64_t step, double dt, const Phase<2>& particle) con
   throw RunError(fmt::format(
       "step {}: the repulsion has thrown a particle across the box more than once in a step (speed {:.3g}): "
       "'method.time-step' = {} is beyond the stability of the core, lower it, lower 'method.core-exponent' "
-      "or "
-      "raise 'method.softening-length'",
+      "or raise 'method.softening-length'",
       step + 1, particle.velocity.norm(), dt));
-}
-
-View<2> Mixing::view() {
-  View<2> view = CellSimulator<2>::view();
-  view.traits = parameters_.species;
-  return view;
 }
 
 std::map<std::string, double> Mixing::counters() const {

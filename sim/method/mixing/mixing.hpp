@@ -21,7 +21,6 @@ class Mixing final : public CellSimulator<2> {
 
   /// Step 0 is the first and gives half a kick.
   void step(double dt, std::uint64_t step) override;
-  View<2> view() override;
   /// Pairs within the cutoff and reflections at walls since time zero.
   std::map<std::string, double> counters() const override;
   Memory save() const override;
