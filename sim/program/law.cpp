@@ -1,8 +1,7 @@
-#include "validation/law/example.hpp"
-
 #include "sim/base/error.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/table.hpp"
+#include "validation/law/example.hpp"
 
 #include <algorithm>
 #include <charconv>
