@@ -76,7 +76,7 @@ const char* const kWords[] = {
     "collisions",       "pressure",        "crossings",         "fields",           "shear-mode",
     "impact-parameter", "overlap",         "rotational-energy", "pair-correlation", "structure-factor",
     "pair-velocity",    "centre-of-mass",  "free-surface",      "kinetic-stress",   "wall-force",
-    "two-fluids",       "species-density", "energy-flux"};
+    "two-fluids",       "species-density", "energy-flux",       "species"};
 
 template <int D>
 void expect_shape_as_declared() {
@@ -84,13 +84,16 @@ void expect_shape_as_declared() {
   system.add_cell(
       {{Vector<D>::Constant(1), Vector<D>::Ones()}, {Vector<D>::Constant(2), -Vector<D>::Unit(1)}});
   system.spins = {Spin<D>::Ones(), Spin<D>::Ones()};
-  system.traits.resize(1);
+  system.traits.resize(2);
+  system.species = {0, 1};
+  system.tally.by_species.resize(4);
   for (const char* word : kWords) {
     ObserverSpec spec = spec_of(word);
     spec.grid.assign(D, 8);
     if (std::string(word) == "free-surface") spec.grid[0] = 1;
     spec.range = {0, 2};
     spec.bins = 4;
+    spec.species = {"a", "b"};
     system.tally.impact.resize(needs_of(spec).impact_bins);
     system.planes.assign(1, Plane(0, 1, bin_edges(spec)));
     for (const auto& observer : make_observers<D>(spec, 0)) {

@@ -321,6 +321,24 @@ Scene at_contact() {
   return scene;
 }
 
+/// Rough particles of two kinds, between mirrors.
+Scene rough_mixture() {
+  Scene scene = test_scene(2, 12, 40);
+  choose(scene.method, "dsmc");
+  dsmc_options(scene).cells = {6, 6};
+  scene.domain.sides[1] = {Side::specular, Side::specular};
+  scene.species[0].tangential_restitution = 0.3;
+  scene.species[0].friction = 0.2;
+  scene.species.push_back(scene.species[0]);
+  scene.species[1].name = "other";
+  scene.species[1].mass = 3;
+  scene.species[1].diameter = 2;
+  scene.run.duration.steps = 100;
+  scene.observe.emplace_back().what = "energy";
+  scene.observe.back().cadence.every = 100;
+  return scene;
+}
+
 double change_of_energy(const Scene& scene, const std::string& fault) {
   RunOptions options;
   options.planted_fault = fault;
@@ -338,7 +356,7 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   few.run.duration.steps = 300;
   std::map<std::string, std::vector<Scene>> scenes;
   for (const Scene& scene : {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"),
-                             beam(), crowd(), falling_entry(), at_contact()})
+                             beam(), crowd(), falling_entry(), at_contact(), rough_mixture()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))

@@ -76,11 +76,12 @@ TEST(WriteScene, TextsWithQuotesAndControlCharactersReadBackEqual) {
   expect_round_trip(scene);
 }
 
-/// Of a periodic domain, or those that need walls along z.
+/// Of a periodic domain, or those that need walls along z; those of mixtures with the walls.
 std::vector<Observe> every_observer(bool walled) {
   std::vector<Observe> list;
   for (const ObserverKind& kind : observer_kinds()) {
-    const bool needs_walls = kind.needs == ObserverSetting::bounded || kind.name == "free-surface";
+    const bool needs_walls = kind.needs == ObserverSetting::bounded ||
+                             kind.needs == ObserverSetting::mixture || kind.name == "free-surface";
     if (needs_walls != walled) continue;
     Observe& observe = list.emplace_back();
     observe.what = kind.name;
@@ -96,6 +97,8 @@ std::vector<Observe> every_observer(bool walled) {
 TEST(WriteScene, EveryObserverReadsBackEqual) {
   Scene scene = event_driven_scene(3);
   scene.domain.sides[2] = {Side::specular, Side::specular};
+  scene.species.push_back(scene.species[0]);
+  scene.species[1].name = "other";
   scene.observe = every_observer(true);
   expect_round_trip(scene);
   scene = event_driven_scene(3);

@@ -7,7 +7,7 @@ namespace sandglass {
 namespace {
 constexpr std::size_t most_species = 255;  // a particle keeps its species in one byte
 
-/// Reports choices that a kind of particles cannot have.
+/// Reports the first choice that a kind of particles cannot have: the remedy mends them all.
 class Choices {
  public:
   Choices(const char* particles, Diagnostics& diagnostics)
@@ -15,19 +15,20 @@ class Choices {
 
   void allow(bool allowed, const char* key, const char* word, const char* reason) {
     const std::string path = std::string("method.") + key;
-    if (!allowed && diagnostics_.clean(path))
-      diagnostics_.report(path, fmt::format("'{}' must be \"{}\" with {}: {}; use the method 'dsmc' or "
-                                            "'event-driven'",
-                                            path, word, particles_, reason));
+    if (allowed || reported_ || !diagnostics_.clean(path)) return;
+    reported_ = true;
+    diagnostics_.report(path, fmt::format("'{}' must be \"{}\" with {}: {}; use the method 'dsmc' or "
+                                          "'event-driven'",
+                                          path, word, particles_, reason));
   }
 
  private:
   const char* particles_;
   Diagnostics& diagnostics_;
+  bool reported_ = false;
 };
 
-void check_mixture(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics) {
-  Choices choices("several species", diagnostics);
+void check_mixture(const Scene& scene, const DsmcOptions& dsmc, Choices& choices, Diagnostics& diagnostics) {
   choices.allow(
       dsmc.contact_factor == ContactFactor::none, "contact-factor", "none",
       "the contact value of a mixture differs from pair to pair of species, and a cell has but one");
@@ -43,7 +44,7 @@ void check_mixture(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& dia
 }
 
 /// What collides in another way than by pairs of a cell.
-void check_collisions(const DsmcOptions& dsmc, Choices choices) {
+void check_collisions(const DsmcOptions& dsmc, Choices& choices) {
   choices.allow(dsmc.excluded_volume == ExcludedVolume::none, "excluded-volume", "none",
                 "full cells collide as a whole, as smooth particles of one species");
   choices.allow(dsmc.partners == Partners::cell, "partners", "cell",
@@ -58,10 +59,12 @@ void check_kinds(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagn
     diagnostics.report(item_path("species", most_species),
                        fmt::format("{} species; at most {} are allowed", scene.species.size(), most_species));
   if (scene.species.size() > 1) {
-    check_mixture(scene, dsmc, diagnostics);
-    check_collisions(dsmc, {"several species", diagnostics});
+    Choices choices("several species", diagnostics);
+    check_mixture(scene, dsmc, choices, diagnostics);
+    check_collisions(dsmc, choices);
   } else if (is_rough(scene)) {
-    check_collisions(dsmc, {"rough contacts", diagnostics});
+    Choices choices("rough contacts", diagnostics);
+    check_collisions(dsmc, choices);
   }
 }
 
