@@ -323,7 +323,7 @@ Scene at_contact() {
 
 /// Rough particles of two kinds, between mirrors.
 Scene rough_mixture() {
-  Scene scene = test_scene(2, 12, 40);
+  Scene scene = test_scene(2, 12, 30);
   choose(scene.method, "dsmc");
   dsmc_options(scene).cells = {6, 6};
   scene.domain.sides[1] = {Side::specular, Side::specular};
@@ -332,7 +332,7 @@ Scene rough_mixture() {
   scene.species.push_back(scene.species[0]);
   scene.species[1].name = "other";
   scene.species[1].mass = 3;
-  scene.species[1].diameter = 2;
+  scene.species[1].diameter = 1.5;
   scene.run.duration.steps = 100;
   scene.observe.emplace_back().what = "energy";
   scene.observe.back().cadence.every = 100;
