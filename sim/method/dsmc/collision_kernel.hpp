@@ -97,8 +97,9 @@ class CollisionKernel final : public CollisionStage<D> {
       if (left == 1) break;
       if (const double ratio = widen(task, one.velocity, two.velocity); ratio > 1) {
         // The rest of the step goes on with the higher bound and proportionally more candidates.
-        left = 1 + rule_.whole((static_cast<double>(left) - 1) * std::sqrt(ratio), random);
-        require_few(static_cast<double>(left), count);  // collisions that heat would never come to an end
+        const double rest = (static_cast<double>(left) - 1) * std::sqrt(ratio);
+        require_few(rest, count);  // collisions that heat would never come to an end
+        left = 1 + rule_.whole(rest, random);
         square_bound *= ratio;
         ++*step.bound_raised;
       }
