@@ -347,6 +347,20 @@ double change_of_energy(const Scene& scene, const std::string& fault) {
   return changed.replicas[0].series.front().value != honest.replicas[0].series.front().value;
 }
 
+/// Each collision heats, more follow, and the step would never end.
+TEST(Run, OfAGasThatHeatsWithoutBoundEndsWithAReason) {
+  Scene scene = rough_mixture();
+  scene.run.duration.steps = 100'000;
+  RunOptions options;
+  options.planted_fault = "spins-reversed";
+  try {
+    run_scene(scene, options);
+    FAIL();
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("pairs in one step"), std::string::npos) << error.what();
+  }
+}
+
 /// A planted fault that changes nothing would make every mutant test worthless.
 TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   Scene few = gas();
