@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "validation/check/worst.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -15,14 +16,17 @@ constexpr double counts_of_a_normal_bin = 30;
 
 double total(const std::vector<double>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
-/// Adds equal stretches of one replica; the first sample of a histogram over intervals is empty and does no
-/// harm.
-void add_blocks(const Series& series, std::size_t blocks, std::vector<std::vector<double>>& counts) {
+/// Adds equal stretches of one replica from a time on; the first sample of a histogram over intervals is empty
+/// and does no harm.
+void add_blocks(const Series& series, double from, std::size_t blocks,
+                std::vector<std::vector<double>>& counts) {
   const std::size_t bins = series.quantity.size();
-  const std::size_t length = series.samples() / blocks;
+  const auto begin =
+      static_cast<std::size_t>(std::ranges::lower_bound(series.time, from) - series.time.begin());
+  const std::size_t length = (series.samples() - begin) / blocks;
   for (std::size_t block = 0; block < blocks; ++block) {
     std::vector<double> sum(bins, 0.0);
-    for (std::size_t sample = block * length; sample < (block + 1) * length; ++sample)
+    for (std::size_t sample = begin + block * length; sample < begin + (block + 1) * length; ++sample)
       for (std::size_t bin = 0; bin < bins; ++bin) sum[bin] += series.value[sample * bins + bin];
     if (total(sum) > 0) counts.push_back(std::move(sum));
   }
@@ -66,12 +70,12 @@ Mean fraction_of_theory(const BlockedHistogram& histogram, const Joined& bin) {
 }
 }  // namespace
 
-BlockedHistogram blocked_histogram(const Subject& subject, const std::string& quantity) {
+BlockedHistogram blocked_histogram(const Subject& subject, const std::string& quantity, double from) {
   BlockedHistogram histogram;
   histogram.edges = subject.series(0, quantity).quantity.axis;
   const std::size_t blocks = (wanted_blocks + subject.replicas() - 1) / subject.replicas();
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)
-    add_blocks(subject.series(replica, quantity), blocks, histogram.counts);
+    add_blocks(subject.series(replica, quantity), from, blocks, histogram.counts);
   if (histogram.counts.size() < 2)
     throw InputError(fmt::format("'{}' has too few samples for an error bar: sample {} times or more",
                                  quantity, 2 * wanted_blocks));

@@ -16,8 +16,8 @@ struct BlockedHistogram {
   std::vector<std::vector<double>> counts;  ///< [block][bin]
 };
 
-/// Throws InputError when the series is missing or too short for the blocks.
-BlockedHistogram blocked_histogram(const Subject& subject, const std::string& quantity);
+/// Of the samples from a time on. Throws InputError when the series is missing or too short for the blocks.
+BlockedHistogram blocked_histogram(const Subject& subject, const std::string& quantity, double from = 0);
 
 /// The bins from `first` to `last` (exclusive) of the histogram.
 BlockedHistogram part_of(const BlockedHistogram& histogram, std::size_t first, std::size_t last);

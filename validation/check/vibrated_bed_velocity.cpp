@@ -39,10 +39,15 @@ double slow_descent(const BlockedHistogram& histogram, std::size_t block) {
   return (down - up) / (down + up);
 }
 
-Figure velocity_figure(const Subject& subject) {
+/// When the histograms begin that count.
+double settled(const Subject& subject, const law::Arguments& numbers) {
+  return numbers.at("settle-share") * subject.series(0, "velocity-histogram-x").time.back();
+}
+
+Figure velocity_figure(const Subject& subject, double from) {
   Figure figure{"Velocities", {"U", "length/time", false}, {"share per bin", "1", true}, {}, {}};
   for (const std::string& axis : {std::string("x"), vertical_name(subject.scene())}) {
-    const BlockedHistogram histogram = blocked_histogram(subject, "velocity-histogram-" + axis);
+    const BlockedHistogram histogram = blocked_histogram(subject, "velocity-histogram-" + axis, from);
     Figure::Points points{"along " + axis, {}, {}, {}, {}};
     for (std::size_t bin = 0; bin + 1 < histogram.edges.size(); ++bin) {
       std::vector<double> shares;
@@ -65,9 +70,10 @@ Figure velocity_figure(const Subject& subject) {
 /// value(histogram, block) along gravity less its size along x, where it is luck.
 template <class Value>
 Evidence uneven(const Subject& subject, const law::Arguments& numbers, Value value) {
-  const BlockedHistogram across = blocked_histogram(subject, "velocity-histogram-x");
+  const double from = settled(subject, numbers);
+  const BlockedHistogram across = blocked_histogram(subject, "velocity-histogram-x", from);
   const BlockedHistogram along =
-      blocked_histogram(subject, "velocity-histogram-" + vertical_name(subject.scene()));
+      blocked_histogram(subject, "velocity-histogram-" + vertical_name(subject.scene()), from);
   std::vector<double> down, side;
   for (std::size_t block = 0; block < along.counts.size(); ++block) {
     down.push_back(value(along, block));
@@ -78,16 +84,17 @@ Evidence uneven(const Subject& subject, const law::Arguments& numbers, Value val
   difference.value -= std::abs(even.value);
   difference.standard_error = std::hypot(skew.standard_error, even.standard_error);
   Evidence evidence = at_least(difference, numbers.at("least"));
-  evidence.figures.push_back(velocity_figure(subject));
+  evidence.figures.push_back(velocity_figure(subject, from));
   return evidence;
 }
 
-Evidence evenness_of_bed(const Subject& subject, const law::Arguments&) {
-  const BlockedHistogram across = blocked_histogram(subject, "velocity-histogram-x");
+Evidence evenness_of_bed(const Subject& subject, const law::Arguments& numbers) {
+  const double from = settled(subject, numbers);
+  const BlockedHistogram across = blocked_histogram(subject, "velocity-histogram-x", from);
   std::vector<double> skews;
   for (std::size_t block = 0; block < across.counts.size(); ++block) skews.push_back(skewness(across, block));
   Evidence evidence = from_mean(mean_of_independent(skews), 0);
-  evidence.figures.push_back(velocity_figure(subject));
+  evidence.figures.push_back(velocity_figure(subject, from));
   return evidence;
 }
 
@@ -102,6 +109,7 @@ Evidence descent_of_bed(const Subject& subject, const law::Arguments& numbers) {
 
 std::vector<CheckInfo> vibrated_bed_velocity_checks() {
   const law::Parameter least{"least", "1", "how much of it there must be", 0, 10};
+  const law::Parameter settle{"settle-share", "1", "share of the run that is left out", 0, 0.9, 0.25};
   return {
       {"vibrated-bed-skewness",
        "third moment of the vertical velocity, less the size of that of the horizontal one, in units of the "
@@ -109,7 +117,7 @@ std::vector<CheckInfo> vibrated_bed_velocity_checks() {
        "",
        {"velocity-histogram-x"},
        false,
-       {least},
+       {least, settle},
        is_vibrated_bed,
        skewness_of_bed},
       {"vibrated-bed-descent",
@@ -117,7 +125,7 @@ std::vector<CheckInfo> vibrated_bed_velocity_checks() {
        "",
        {"velocity-histogram-x"},
        false,
-       {least},
+       {least, settle},
        is_vibrated_bed,
        descent_of_bed},
       {"vibrated-bed-evenness",
@@ -125,7 +133,7 @@ std::vector<CheckInfo> vibrated_bed_velocity_checks() {
        "",
        {"velocity-histogram-x"},
        false,
-       {},
+       {settle},
        is_vibrated_bed,
        evenness_of_bed}};
 }
