@@ -14,7 +14,7 @@ UPRIGHT = 1.3                                     # longest name of a narrow col
 GAP = 0.05
 SOFT, TRACK, EMPTY = "#555555", "#cfd4d8", "#f3f4f5"
 SHADES = {True: 0.2, False: 0.5}                  # what blocks is darker
-HOW_TO_READ = ("Rows: test cases. Columns: methods. ✓ 12/12: 12 of 12 checks hold. "
+HOW_TO_READ = ("Rows: test cases. Columns: methods. 12/12, or 12 alone: all 12 checks hold. "
                "Bar and number: the largest deviation; 1 is the edge of its error budget.")
 
 
@@ -58,9 +58,13 @@ def _narrow_cell(sheet, x, y, width, fold):
     first, *others = [text for _, text in fold.tallies]
     if extent(first, 7.5) > width:
         first = first.split()[-1]
+    if extent(first, 7.5) > width:
+        held, _, made = first.partition("/")
+        first = held if held == made else first
     sheet.text(x, y + 0.12, first, width=width)
     sheet.text(x, y + 0.275, " ".join(others), width=width)
-    sheet.text(x, y + 0.43, ratio(fold.worst.share), 8, width, color=SOFT)
+    share = ratio(fold.worst.share)
+    sheet.text(x, y + 0.43, "0" if extent(share, 7) > width else share, 8, width, color=SOFT)
     _bar(sheet, x, y + 0.56, width, fold.worst)
 
 
