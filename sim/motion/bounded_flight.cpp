@@ -197,7 +197,7 @@ void BoundedFlight<D>::turn_at(const Event& event, double time, Phase<D>& partic
   if (event.kind == Event::Kind::wall) {
     const WallSurface<D>& wall = surfaces_.walls[event.index];
     const Vector<D> moving = wall.velocity_at(time);
-    const double energy = energy_beside(moving, touching);
+    const double energy = impulses != nullptr ? energy_beside(moving, touching) : 0;  // only where it counts
     reflect<D>(wall.place.rule, wall.normal(), moving, touching, random);
     if (impulses != nullptr)
       impulses->add(side_of(wall), body.mass * (before - particle.velocity), moving,

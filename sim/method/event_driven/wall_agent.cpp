@@ -42,7 +42,7 @@ bool WallAgent<D>::act(ParticleState<D>& particle, double now, Random& random) {
   Vector<D> surface = place_.velocity;
   surface[place_.axis] = inward_ * motion_.velocity_at(now);
   const Vector<D> before = particle.velocity;
-  const double energy = energy_beside(surface, at_wall(particle));
+  const double energy = impulses_ != nullptr ? energy_beside(surface, at_wall(particle)) : 0;
   bounce<D>(rule_, normal, surface, particle, random);
   if (impulses_ != nullptr)
     impulses_->add(WallImpulses<D>::side(place_.axis, place_.high),
