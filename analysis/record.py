@@ -36,12 +36,15 @@ class Series:
 
 @dataclass(frozen=True)
 class Estimate:
-    """Mean over samples and replicas: value and standard_error [*shape]; NaN where the error is unknown."""
+    """Mean over samples and replicas from start_time on: value and standard_error [*shape], NaN where the error is
+    unknown. drifts: a component goes on changing, so that there is no steady mean."""
 
     quantity: Quantity
     value: ndarray
     standard_error: ndarray
     effective_samples: float
+    start_time: float = 0.0
+    drifts: bool = False
 
 
 @dataclass(frozen=True)
@@ -75,8 +78,10 @@ def _series(group):
 
 
 def _estimate(group):
+    since = {"start_time": float(group["start_time"][()]), "drifts": bool(group["drifts"][()])} \
+        if "start_time" in group else {}  # not before schema {1, 3}
     return Estimate(_quantity(group), group["value"][()], group["standard_error"][()],
-                    float(group["effective_samples"][()]))
+                    float(group["effective_samples"][()]), **since)
 
 
 def _each(group, read):

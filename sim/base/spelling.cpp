@@ -1,11 +1,14 @@
 #include "sim/base/spelling.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace sandglass {
 
 namespace {
+char lower(char letter) { return static_cast<char>(std::tolower(static_cast<unsigned char>(letter))); }
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -13,7 +16,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] != b[j - 1]);
+      const std::size_t substituted = diagonal + (lower(a[i - 1]) != lower(b[j - 1]) ? 1u : 0u);
       diagonal = row[j];
       row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
     }

@@ -6,7 +6,7 @@
 
 namespace sandglass {
 
-/// The allowed word nearest to `word` (Levenshtein distance, at most a third of its length), or "".
+/// The allowed word nearest to `word` (Levenshtein distance whatever the case, at most a third of its length), or "".
 std::string nearest_spelling(std::string_view word, const std::vector<std::string>& allowed);
 
 /// "'a', 'b' or 'c'"

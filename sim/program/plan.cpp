@@ -1,3 +1,4 @@
+#include "sim/program/memory.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/table.hpp"
 #include "sim/run/run.hpp"
@@ -51,8 +52,7 @@ std::string as_text(const Plan& plan) {
                             plan.particles_per_cell, plan.cell_size_in_mean_free_paths)},
       {"time step", fmt::format("{:.6g} ({:.3g} collisions per particle)", plan.time_step,
                                 plan.collisions_per_particle_and_step)},
-      {"memory", fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle,
-                             plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6)},
+      {"memory", memory_words(plan)},
       {"work", work(plan)},
       {"columns", joined(plan.columns)},
       {"in use", joined(plan.used)},

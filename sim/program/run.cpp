@@ -1,6 +1,7 @@
 #include "sim/run/run.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/program/memory.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/progress_line.hpp"
 #include "sim/program/signals.hpp"
@@ -8,6 +9,7 @@
 #include "sim/record/output_files.hpp"
 #include "sim/record/record.hpp"
 
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -26,6 +28,16 @@ std::string checkpoint_path(const std::string& record) {
   return (record.ends_with(".h5") ? record.substr(0, record.size() - 3) : record) + ".checkpoint.h5";
 }
 
+/// What a reader must know of a mean before trusting it.
+std::string remark(const Estimate& estimate, std::size_t component, std::size_t replicas) {
+  constexpr double few = 10, rounding = 1e-9;
+  if (estimate.drifts) return "drifts: no steady mean";
+  if (replicas > 1 || estimate.effective_samples >= few) return "";
+  const double error = estimate.standard_error[component];
+  if (error <= rounding * std::abs(estimate.value[component])) return "";  // constant
+  return fmt::format("{:.0f} independent samples", estimate.effective_samples);
+}
+
 std::string summary(const Record& record, const std::string& path) {
   double moves = 0, collisions = 0;
   for (const Replica& replica : record.replicas) {
@@ -36,14 +48,17 @@ std::string summary(const Record& record, const std::string& path) {
   std::string text = fmt::format(
       "{}: {} replica(s), {:.4g} collisions, {:.4g} particle-moves in {:.3g} CPU seconds ({:.3g} moves/s)\n",
       path, record.replicas.size(), collisions, moves, seconds, moves / seconds);
-  std::vector<std::vector<std::string>> rows = {{"quantity", "mean", "standard error", "units"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"quantity", "mean", "standard error", "units", "since time", ""}};
   for (const Estimate& estimate : record.estimates) {
     if (estimate.value.size() > 8) continue;
     for (std::size_t i = 0; i < estimate.value.size(); ++i) {
       const auto& names = estimate.quantity.components;
       rows.push_back({estimate.quantity.name + (i < names.size() ? " " + names[i] : ""),
                       fmt::format("{:.6g}", estimate.value[i]),
-                      fmt::format("{:.2g}", estimate.standard_error[i]), estimate.quantity.units});
+                      fmt::format("{:.2g}", estimate.standard_error[i]), estimate.quantity.units,
+                      fmt::format("{:.4g}", estimate.start_time),
+                      remark(estimate, i, record.replicas.size())});
     }
   }
   return text + columns(rows);
@@ -103,16 +118,24 @@ int run_to_record(const Options& options, const Scene& scene, const std::string&
   return all_well;
 }
 
-/// What the plan of the scene warns of, on the error stream, so that nobody has to ask for the plan to see it.
-void warn(const Scene& scene) {
-  for (const std::string& warning : plan(scene).warnings) fmt::print(stderr, "warning: {}\n", warning);
+/// What the plan of the scene warns of, on the error stream, so that nobody has to ask for the plan to see it. Throws
+/// InputError when the machine cannot hold the particles.
+void heed_plan(const Scene& scene, bool quiet) {
+  const Plan planned = plan(scene);
+  if (exceeds_memory(planned))
+    throw InputError(
+        fmt::format("{} particles do not fit into memory: {}; take fewer, or a larger "
+                    "'method.weight' where the method has one",
+                    planned.particles, memory_words(planned)));
+  for (const std::string& warning : planned.warnings)
+    if (!quiet) fmt::print(stderr, "warning: {}\n", warning);
 }
 
 }  // namespace
 
 int run(const Options& options) {
   Scene scene = read_scene_file(options.subject);
-  if (!options.quiet) warn(scene);
+  heed_plan(scene, options.quiet);
   if (options.seed) scene.run.seed = *options.seed;
   const std::string path = record_path(options, scene);
   scene.output.record = path;

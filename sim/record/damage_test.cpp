@@ -156,6 +156,68 @@ TEST(RecordDamage, LaterMinorSchemaIsRead) {
   EXPECT_EQ(read_record(folder / "run.h5").scene, sample_record().scene);
 }
 
+/// Names of all datasets below a group.
+std::vector<std::string> datasets_of(const std::string& path, const std::string& group) {
+  std::vector<std::string> found;
+  const auto collect = [](hid_t, const char* name, const H5O_info_t* info, void* list) -> herr_t {
+    if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  const hdf5::Session session;
+  const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  hdf5::require(
+      H5Ovisit_by_name(file, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, collect, &found, H5P_DEFAULT));
+  for (std::string& name : found) name = group + "/" + name;
+  return found;
+}
+
+/// Changes the last byte of a dataset, as an editor of HDF5 files would; false when it holds none.
+bool flip_last_byte(const std::string& path, const std::string& dataset) {
+  const hdf5::Session session;
+  const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  const hdf5::Handle place(H5Dopen2(file, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  const hdf5::Handle type(H5Dget_type(place), H5Tclose), space(H5Dget_space(place), H5Sclose);
+  const auto size = H5Tget_size(type) * static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
+  if (size == 0) return false;
+  std::string bytes(size, '\0');
+  hdf5::require(H5Dread(place, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()));
+  bytes.back() = static_cast<char>(bytes.back() ^ 1);
+  hdf5::require(H5Dwrite(place, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()));
+  return true;
+}
+
+/// Restarts went on with edited numbers, or broke on them. `/observables` is for other readers.
+TEST(RecordDamage, AnyChangedNumberIsRefused) {
+  const ScratchFolder folder;
+  const std::string path = folder / "run.h5";
+  write_record(path, sample_record());
+  std::size_t changed = 0;
+  for (const char* group : {"sandglass", "particles"})
+    for (const std::string& dataset : datasets_of(path, group)) {
+      write_record(path, sample_record());
+      if (!flip_last_byte(path, dataset)) continue;
+      EXPECT_THAT(read_failure(path), HasSubstr("does not match its checksum")) << dataset;
+      ++changed;
+    }
+  EXPECT_GT(changed, 40u);
+}
+
+/// Without checksums, as other programs write them, a record is read and a state is not.
+TEST(RecordDamage, AStateWithoutChecksumsIsRefused) {
+  const ScratchFolder folder;
+  const std::string path = folder / "run.h5";
+  const auto unseal = [&](const std::string& dataset) {
+    const hdf5::Session session;
+    const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    hdf5::require(H5Adelete_by_name(file, dataset.c_str(), "checksum", H5P_DEFAULT));
+  };
+  write_record(path, sample_record());
+  unseal("sandglass/seed");
+  EXPECT_EQ(read_record(path).replicas.size(), sample_record().replicas.size());
+  unseal("sandglass/state/time");
+  EXPECT_THAT(read_failure(path), HasSubstr("'/sandglass/state/time': has no checksum"));
+}
+
 [[noreturn]] void write_checkpoints_forever(const std::string& path) {
   Record record = sample_record();
   while (true) {

@@ -145,8 +145,8 @@ TEST(Export, CsvHoldsSeriesAndEstimates) {
   EXPECT_THAT(series, HasSubstr("\nmomentum,y,mass length time^-1,,,0,10,0.1,0.1111111111111111\n"));
   EXPECT_THAT(series, HasSubstr("\nvelocity-histogram,4,1,0,0.5,1,0,0,0.034482758620689655\n"));
   EXPECT_THAT(contents(folder / "run-estimates.csv"),
-              HasSubstr("momentum,x,mass length time^-1,,,0.5,0.01,17.5\n"
-                        "momentum,y,mass length time^-1,,,-0.5,,17.5\n"));
+              HasSubstr("momentum,x,mass length time^-1,,,0.5,0.01,17.5,2.5,yes\n"
+                        "momentum,y,mass length time^-1,,,-0.5,,17.5,2.5,yes\n"));
 }
 
 TEST(Export, RefusesWhatItCannotDo) {

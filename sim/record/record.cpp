@@ -61,7 +61,7 @@ Record read_hdf5(const std::string& path) {
   record.trajectory = schema::read_trajectory(all, record.dimension);
   record.timings = schema::read_scalars(group.group(schema::names::timings));
   if (group.has(schema::names::state))
-    record.state = schema::read_state(group.group(schema::names::state), record.dimension);
+    record.state = schema::read_state(group.sealed_group(schema::names::state), record.dimension);
   return record;
 }
 

@@ -77,6 +77,8 @@ void expect_same(const Estimate& one, const Estimate& other) {
   expect_same_bits(one.value, other.value);
   expect_same_bits(one.standard_error, other.standard_error);
   EXPECT_EQ(one.effective_samples, other.effective_samples);
+  EXPECT_EQ(one.start_time, other.start_time);
+  EXPECT_EQ(one.drifts, other.drifts);
 }
 
 void expect_same(const Provenance& one, const Provenance& other) {
@@ -146,7 +148,7 @@ TEST(Record, HoldsSpinsOfDisksAndSpheres) {
   expect_round_trip(spheres);
 }
 
-/// Before schema 1.2 columns had no units.
+/// Before schema 1.2 columns had no units, before 1.3 estimates were means of the whole run.
 TEST(Record, OfSchema11IsRead) {
   const ScratchFolder folder;
   Record record = sample_record();
@@ -158,6 +160,9 @@ TEST(Record, OfSchema11IsRead) {
     const hdf5::Handle file(H5Fopen((folder / "run.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
     for (const char* place : {"particles/all/id", "particles/all/spin"})
       hdf5::require(H5Adelete_by_name(file, place, "units", H5P_DEFAULT));
+    for (const char* name : {"start_time", "drifts"})
+      hdf5::require(
+          H5Ldelete(file, (std::string("sandglass/estimates/momentum/") + name).c_str(), H5P_DEFAULT));
     hdf5::Handle group(H5Gopen2(file, "sandglass", H5P_DEFAULT), H5Gclose);
     hdf5::require(H5Adelete(group, "schema"));
     hdf5::Writer(std::move(group)).attribute("schema", std::vector<int>{1, 1});
@@ -165,6 +170,8 @@ TEST(Record, OfSchema11IsRead) {
   const Record back = read_record(folder / "run.h5");
   EXPECT_EQ(back.trajectory[1].columns.get(column::spin<2>)[4], Spin<2>(0.5));
   EXPECT_EQ(back.trajectory[1].columns.get(column::id)[4], 104u);
+  EXPECT_EQ(back.estimates[0].start_time, 0);
+  EXPECT_FALSE(back.estimates[0].drifts);
 }
 
 /// H5MD readers know from the fill value which places hold no particle.

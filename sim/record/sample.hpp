@@ -63,7 +63,8 @@ inline Record sample_record() {
     record.replicas.push_back(replica);
   }
   record.replicas[1].counters["rejected/above-bound"] = 1;
-  record.estimates.push_back({momentum, {0.5, -0.5}, {0.01, std::numeric_limits<double>::quiet_NaN()}, 17.5});
+  record.estimates.push_back(
+      {momentum, {0.5, -0.5}, {0.01, std::numeric_limits<double>::quiet_NaN()}, 17.5, 2.5, true});
   for (std::size_t particles : {std::size_t{3}, std::size_t{5}, std::size_t{4}})
     record.trajectory.push_back(sample_frame(particles * 100, particles, 2));
   record.timings = {{"cpu-seconds", 1.5}, {"peak-bytes", 1e6}};

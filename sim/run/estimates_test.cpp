@@ -75,6 +75,32 @@ TEST(Estimate, RateHasTheErrorOfItsIncrements) {
   EXPECT_NEAR(estimates[0].standard_error[0] / (2 / std::sqrt(kSamples)), 1, 0.1);
 }
 
+/// 3 + 50 e^(-t/10) in each of four replicas, in the second of two components.
+std::vector<Replica> relaxing(std::size_t samples) {
+  std::vector<Replica> replicas;
+  for (std::uint64_t index = 0; index < 4; ++index) {
+    const std::vector<double> even = autoregressive(1, 0, samples, 2 * index),
+                              noise = autoregressive(3, 0, samples, 2 * index + 1);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < samples; ++i) {
+      values.push_back(even[i]);
+      values.push_back(noise[i] + 50 * std::exp(-0.05 * static_cast<double>(i)));
+    }
+    replicas.push_back(replica_of(values, 2));
+  }
+  return replicas;
+}
+
+TEST(Estimate, LeavesATransientOut) {
+  const auto estimates = estimate(relaxing(1000), {});
+  EXPECT_GE(estimates[0].start_time, 40);
+  EXPECT_LE(estimates[0].start_time, 250);
+  EXPECT_FALSE(estimates[0].drifts);
+  EXPECT_NEAR(estimates[0].value[1], 3, 5 / std::sqrt(3000.0));
+}
+
+TEST(Estimate, SaysWhenNoPartOfTheRunIsSteady) { EXPECT_TRUE(estimate(relaxing(60), {})[0].drifts); }
+
 TEST(Estimate, LeavesOutWhatWasNeverMeasured) {
   EXPECT_TRUE(estimate({replica_of({})}, {}).empty());
   EXPECT_TRUE(estimate({replica_of({5})}, {"thing"}).empty());

@@ -28,6 +28,40 @@ void collect_keys(const Node& node, std::set<std::string>& keys) {
   }
 }
 
+std::string dotted(int parts) {
+  std::string key = "a";
+  for (int part = 1; part < parts; ++part) key += ".a";
+  return key;
+}
+
+std::string parse_failure(const std::string& text) {
+  try {
+    parse_document(text, "scene.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+/// Such a key, or the header of such a table, ended the program.
+TEST(Document, RefusesAKeyOfManyParts) {
+  const std::string refusal = "scene.toml:2:128: error: a key of more than 64 parts";
+  for (const std::string& tail : {std::string(" = 1\n"), std::string("\n")})
+    for (const int parts : {65, 30000})
+      EXPECT_EQ(parse_failure("b = 1\n" + dotted(parts) + tail).rfind(refusal, 0), 0u) << parts;
+  EXPECT_NE(parse_failure("[" + dotted(30000) + "]\n"), "none");
+  EXPECT_NE(parse_failure("b = {" + dotted(30000) + " = 1}\n"), "none");
+  EXPECT_EQ(parse_failure(dotted(64) + " = 1\n"), "none");
+}
+
+TEST(Document, TakesDotsInTextsAndComments) {
+  const std::string dots(100, '.');
+  for (const std::string& text : std::initializer_list<std::string>{
+           "# " + dots + "\nb = 1\n", "b = \"" + dots + "\"\n", "b = '" + dots + "' # " + dots,
+           "b = \"\\\"" + dots + "\"\n", "b = \"\"\"\n\"" + dots + "\"\n\"\"\"\n", "b = [1.0, 2.0]"})
+    EXPECT_EQ(parse_failure(text), "none") << text;
+}
+
 TEST(Document, KeepsTheOrderAndThePlacesOfTheText) {
   const Node root = parse_document("b = 1\n[t]\n  a = [2.5, 'x']\n", "");
   ASSERT_EQ(root.items.size(), 2U);

@@ -19,6 +19,7 @@ const std::vector<Rule>& all_rules() {
       {{"domain.dimension"}, check_domain},
       {{}, check_species},
       {{}, check_method},
+      {{"run.duration", "method.time-step"}, check_steps},
       {{"domain"}, check_walls},
       {{"domain"}, check_obstacles},
       {{"method.preset"}, check_family},

@@ -15,6 +15,8 @@ namespace sandglass {
 void check_rules(const Scene& scene, Diagnostics& diagnostics);
 
 void check_run(const Scene& scene, Diagnostics& diagnostics);
+/// How many steps the run takes.
+void check_steps(const Scene& scene, Diagnostics& diagnostics);
 void check_domain(const Scene& scene, Diagnostics& diagnostics);
 void check_species(const Scene& scene, Diagnostics& diagnostics);
 void check_packing(const Scene& scene, Diagnostics& diagnostics);

@@ -48,6 +48,9 @@ TEST_P(Rules, IsRefusedWithPlaceAndReason) { expect_refused(good, GetParam()); }
 const std::vector<BadEdit> run_and_domain = {
     {"no_replicas", "replicas = 2", "replicas = 0", "4:12", {"'run.replicas' is 0; allowed: 1 to 1000000"}},
     {"no_duration", "= 10.0 }", "= 0 }", "5:40", {"is 0; allowed: above 0"}},
+    {"endless", "= 0.1 }", "= 1e-300 }", "20:13", {"makes 1e+301 steps of 'run.duration'; at most 9e+15"}},
+    {"overshoots", "= 0.1 }", "= 20.0 }", "20:13", {"is 2 times as long as 'run.duration'", "shorten it"}},
+    {"other_case", "restitution", "RESTITUTION", "16:1", {"did you mean 'restitution'?"}},
     {"no_steps", "collisions-per-particle = 10.0", "steps = 0", "5:22", {"'run.duration.steps' is 0"}},
     {"many_steps", "collisions-per-particle = 10.0", "steps = 9000000000000001", "5:22", {"allowed: 1 to"}},
     {"cadence", "time = 2.0", "time = -2.0", "30:18", {"'observe.every.time' is -2; allowed: above 0"}},

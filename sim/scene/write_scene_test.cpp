@@ -65,6 +65,7 @@ TEST(WriteScene, NumbersReadBackToTheSameBits) {
     scene.initial.temperature = value;
     scene.species[0].mass = value;
     scene.run.duration = {value, {}, {}};
+    scene.method.time_step.fixed = value;
     expect_round_trip(scene);
   }
 }

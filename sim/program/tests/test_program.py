@@ -194,6 +194,34 @@ def test_plan_says_what_is_left_out(scene, tmp_path):
     assert plan["steps"] == 500
 
 
+def test_more_particles_than_fit_are_refused_before_anything_is_taken(scene, tmp_path):
+    scene.write_text(SCENE.replace("STEPS", "5").replace("area-fraction = 0.05", "count = 100000000000"))
+    begun = time.monotonic()
+    refused = run("run", scene.name, "--quiet", folder=tmp_path)
+    assert refused.returncode == 2 and "do not fit into memory" in refused.stderr
+    assert time.monotonic() - begun < 10 and [item.name for item in tmp_path.iterdir()] == ["gas.toml"]
+    assert "; this machine has" in run("plan", scene.name, folder=tmp_path).stdout
+
+
+def test_hostile_scenes_are_refused_at_once(scene, tmp_path):
+    text = SCENE.replace("STEPS", "5")
+    scene.write_text(text + '[[observe]]\nwhat = "energy"\n' * 200000)
+    begun = time.monotonic()
+    many = run("plan", scene.name, folder=tmp_path)
+    assert many.returncode == 2 and "at most 1000 are allowed" in many.stderr
+    assert len(many.stderr.splitlines()) == 1
+    scene.write_text(".".join(["a"] * 30000) + " = 1\n")
+    assert run("plan", scene.name, folder=tmp_path).returncode == 2
+    assert time.monotonic() - begun < 30
+
+
+def test_summary_says_what_no_mean_can(scene, tmp_path):
+    scene.write_text(SCENE.replace("STEPS", "500"))
+    lines = run("run", scene.name, folder=tmp_path).stdout.splitlines()
+    energy = next(line for line in lines if line.startswith("energy"))
+    assert "drifts: no steady mean" in energy or "independent samples" in energy
+
+
 def test_plan_of_a_box_that_a_source_fills_shows_no_infinite_number(tmp_path):
     text = SCENE.replace("{ steps = STEPS }", "{ collisions-per-particle = 20.0 }").replace("area-fraction = 0.05", "count = 0")
     (tmp_path / "pour.toml").write_text(text + "[[source]]\nrate = 1.0\ncentre = [20.0, 20.0]\n")

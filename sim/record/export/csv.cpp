@@ -44,9 +44,10 @@ void write_series(AtomicFile& file, const Series& series, std::size_t replica) {
 
 void write_estimate(AtomicFile& file, const Estimate& estimate) {
   for (std::size_t component = 0; component < estimate.value.size(); ++component)
-    file.write(fmt::format("{},{},{},{}\n", heading_of(estimate.quantity, component),
+    file.write(fmt::format("{},{},{},{},{},{}\n", heading_of(estimate.quantity, component),
                            field(estimate.value[component]), field(estimate.standard_error[component]),
-                           field(estimate.effective_samples)));
+                           field(estimate.effective_samples), field(estimate.start_time),
+                           estimate.drifts ? "yes" : "no"));
 }
 
 }  // namespace
@@ -61,7 +62,9 @@ void export_csv(const Record& record, const Paths& paths, const ParticleShape&) 
   for (std::size_t replica = 0; replica < record.replicas.size(); ++replica)
     for (const Series& one : record.replicas[replica].series) write_series(series, one, replica);
   AtomicFile estimates(paths[1]);
-  estimates.write("quantity,component,units,bin_low,bin_high,value,standard_error,effective_samples\n");
+  estimates.write(
+      "quantity,component,units,bin_low,bin_high,value,standard_error,effective_samples,start_time,"
+      "drifts\n");
   for (const Estimate& estimate : record.estimates) write_estimate(estimates, estimate);
   series.commit();
   estimates.commit();

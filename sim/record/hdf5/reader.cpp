@@ -50,7 +50,13 @@ void Reader::fail(const std::string& name, const std::string& reason) const {
 
 Reader Reader::group(const std::string& name) const {
   if (!has(name)) fail(name, "is missing");
-  return Reader(Handle(H5Gopen2(group_, name.c_str(), H5P_DEFAULT), H5Gclose), path_ + name + "/");
+  return Reader(Handle(H5Gopen2(group_, name.c_str(), H5P_DEFAULT), H5Gclose), path_ + name + "/", unsealed_);
+}
+
+Reader Reader::sealed_group(const std::string& name) const {
+  Reader reader = group(name);
+  reader.unsealed_ = Unsealed::refuse;
+  return reader;
 }
 
 bool Reader::has(const std::string& name) const { return H5Lexists(group_, name.c_str(), H5P_DEFAULT) > 0; }
@@ -77,6 +83,7 @@ Array<T> Reader::numbers(const std::string& name) const try {
   array.values.resize(elements(array.extents));
   if (!array.values.empty())
     require(H5Dread(dataset, native_type<T>(), H5S_ALL, H5S_ALL, transfer(), array.values.data()));
+  require_checksum(dataset, array.values.data(), array.values.size() * sizeof(T), unsealed_);
   return array;
 } catch (const Failure& failure) {
   fail(name, failure.what());
@@ -108,7 +115,9 @@ std::string Reader::text(const std::string& name) const try {
   };
   const auto strings =
       strings_of(Handle(H5Dget_type(dataset), H5Tclose), Handle(H5Dget_space(dataset), H5Sclose), read);
-  return strings.empty() ? "" : strings.front();
+  const std::string text = strings.empty() ? "" : strings.front();
+  require_checksum(dataset, text.data(), text.size(), unsealed_);
+  return text;
 } catch (const Failure& failure) {
   fail(name, failure.what());
 }
@@ -144,6 +153,7 @@ template Array<std::uint64_t> Reader::numbers<std::uint64_t>(const std::string&)
 template Array<std::uint8_t> Reader::numbers<std::uint8_t>(const std::string&) const;
 template std::vector<double> Reader::numbers<double>(const std::string&, const Extents&) const;
 template std::vector<std::uint64_t> Reader::numbers<std::uint64_t>(const std::string&, const Extents&) const;
+template std::vector<std::uint8_t> Reader::numbers<std::uint8_t>(const std::string&, const Extents&) const;
 template std::vector<double> Reader::attribute<double>(const std::string&) const;
 template std::vector<std::uint64_t> Reader::attribute<std::uint64_t>(const std::string&) const;
 template std::vector<int> Reader::attribute<int>(const std::string&) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/base/column.hpp"
+#include "sim/record/hdf5/checksum.hpp"
 #include "sim/record/hdf5/handle.hpp"
 #include "sim/record/hdf5/type.hpp"
 
@@ -19,9 +20,12 @@ struct Array {
 /// Reads from one group. Every function throws Failure naming the place and the reason.
 class Reader {
  public:
-  Reader(Handle group, std::string path) : group_(std::move(group)), path_(std::move(path)) {}
+  Reader(Handle group, std::string path, Unsealed unsealed = Unsealed::accept)
+      : group_(std::move(group)), path_(std::move(path)), unsealed_(unsealed) {}
 
   Reader group(const std::string& name) const;
+  /// The same group; every dataset must have its checksum.
+  Reader sealed_group(const std::string& name) const;
   bool has(const std::string& name) const;
   bool has_attribute(const std::string& name) const;
   /// Names of everything in the group, sorted.
@@ -55,6 +59,7 @@ class Reader {
  private:
   Handle group_;
   std::string path_;
+  Unsealed unsealed_;
 };
 
 }  // namespace sandglass::hdf5

@@ -1,5 +1,6 @@
 #include "sim/record/hdf5/writer.hpp"
 
+#include "sim/record/hdf5/checksum.hpp"
 #include "sim/record/hdf5/file.hpp"
 
 #include <algorithm>
@@ -66,6 +67,7 @@ void Writer::numbers(const std::string& name, const Extents& extents, std::span<
       H5Dcreate2(group_, name.c_str(), type, space_of(extents), H5P_DEFAULT, properties, H5P_DEFAULT),
       H5Dclose);
   if (!values.empty()) require(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transfer(), values.data()));
+  write_checksum(dataset, values.data(), values.size_bytes());
 }
 
 void Writer::text(const std::string& name, std::string_view value) const {
@@ -74,6 +76,7 @@ void Writer::text(const std::string& name, std::string_view value) const {
                  H5Dclose);
   const std::string padded = value.empty() ? std::string(1, '\0') : std::string(value);
   require(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transfer(), padded.data()));
+  write_checksum(dataset, value.data(), value.size());
 }
 
 template <class T>

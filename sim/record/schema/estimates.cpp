@@ -12,6 +12,9 @@ Estimate read_estimate(const hdf5::Reader& group) {
   estimate.value = group.numbers<double>(names::value, extents);
   estimate.standard_error = group.numbers<double>(names::standard_error, extents);
   estimate.effective_samples = group.number<double>(names::effective_samples);
+  if (!group.has(names::start_time)) return estimate;  // before schema {1, 3}: the whole run
+  estimate.start_time = group.number<double>(names::start_time);
+  estimate.drifts = group.number<std::uint8_t>(names::drifts) != 0;
   return estimate;
 }
 
@@ -28,6 +31,8 @@ void write_estimates(const hdf5::Writer& group, const std::vector<Estimate>& est
     element.numbers<double>(names::value, extents, estimate.value);
     element.numbers<double>(names::standard_error, extents, estimate.standard_error);
     element.number<double>(names::effective_samples, estimate.effective_samples);
+    element.number<double>(names::start_time, estimate.start_time);
+    element.number<std::uint8_t>(names::drifts, estimate.drifts ? 1 : 0);
   }
 }
 

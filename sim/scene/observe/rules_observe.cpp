@@ -11,6 +11,7 @@
 namespace sandglass {
 
 namespace {
+constexpr std::size_t most_observers = 1000;  // far more than there are kinds and axes
 constexpr double most_bins = 1e6;
 constexpr double most_field_bins = 1e8;
 
@@ -151,6 +152,9 @@ bool same_name(const Observe& a, const Observe& b) {
 }  // namespace
 
 void check_observers(const Scene& scene, Diagnostics& diagnostics) {
+  if (scene.observe.size() > most_observers)
+    return diagnostics.report("observe", fmt::format("{} observers are given; at most {} are allowed",
+                                                     scene.observe.size(), most_observers));
   for (std::size_t i = 0; i < scene.observe.size(); ++i) {
     const std::string path = item_path("observe", i);
     if (!diagnostics.clean(path + ".what")) continue;

@@ -51,4 +51,25 @@ void check_run(const Scene& scene, Diagnostics& diagnostics) {
   if (scene.output.checkpoint) check_cadence(diagnostics, "output.checkpoint", *scene.output.checkpoint);
 }
 
+/// Where both are given in the same unit; the plan looks at what is left.
+void check_steps(const Scene& scene, Diagnostics& diagnostics) {
+  const Duration& duration = scene.run.duration;
+  const TimeStep& step = scene.method.time_step;
+  double steps = 1;
+  if (duration.time && step.fixed) steps = *duration.time / *step.fixed;
+  if (duration.collisions && step.collisions) steps = *duration.collisions / *step.collisions;
+  if (steps > most_steps)
+    diagnostics.report(
+        "method.time-step",
+        fmt::format("'method.time-step' makes {:.3g} steps of 'run.duration'; at most {:.0e} are "
+                    "allowed: lengthen the one or shorten the other",
+                    steps, most_steps));
+  if (steps < 1)
+    diagnostics.report(
+        "method.time-step",
+        fmt::format("'method.time-step' is {:.3g} times as long as 'run.duration': the first step "
+                    "would run beyond the end; shorten it",
+                    1 / steps));
+}
+
 }  // namespace sandglass

@@ -5,10 +5,10 @@
 namespace sandglass {
 
 namespace {
-/// True when `path` is `holder` or a value inside it.
-bool inside(const std::string& path, const std::string& holder) {
-  if (path.compare(0, holder.size(), holder) != 0) return false;
-  return path.size() == holder.size() || path[holder.size()] == '.' || path[holder.size()] == '[';
+/// What holds the value at `path`: "a[1].b" is in "a[1]", that in "a".
+std::string holder_of(const std::string& path) {
+  const std::size_t end = path.find_last_of(".[");
+  return path.substr(0, end == std::string::npos ? 0 : end);
 }
 }  // namespace
 
@@ -28,8 +28,7 @@ Place Diagnostics::find(std::string path) const {
   while (true) {
     if (const auto found = places_.find(path); found != places_.end()) return found->second;
     if (path.empty()) return {};
-    const std::size_t end = path.find_last_of(".[");
-    path.resize(end == std::string::npos ? 0 : end);
+    path = holder_of(path);
   }
 }
 
@@ -39,12 +38,15 @@ void Diagnostics::report(const std::string& path, const std::string& message) {
 
 void Diagnostics::report_at(Place place, const std::string& path, const std::string& message) {
   entries_.push_back({place, path, message});
+  reported_.insert(path);
+  for (std::string holder = path; !holder.empty(); holder = holder_of(holder)) holders_.insert(holder);
 }
 
 bool Diagnostics::clean(const std::string& path) const {
-  return std::none_of(entries_.begin(), entries_.end(), [&path](const Entry& entry) {
-    return inside(entry.path, path) || inside(path, entry.path);
-  });
+  if (holders_.contains(path)) return false;
+  for (std::string holder = path; !holder.empty(); holder = holder_of(holder))
+    if (reported_.contains(holder)) return false;
+  return true;
 }
 
 void Diagnostics::raise() const {

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace sandglass {
@@ -41,6 +42,7 @@ class Diagnostics {
   std::string file_name_;
   std::map<std::string, Place> places_;
   std::vector<Entry> entries_;
+  std::unordered_set<std::string> reported_, holders_;  ///< paths with an error; those and all that hold them
 };
 
 /// "domain" + "size" -> "domain.size"; "" + "run" -> "run"

@@ -1,0 +1,1 @@
+// Holds precompiled headers that many targets share.

@@ -1,0 +1,27 @@
+#include "sim/program/memory.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace sandglass::program {
+
+namespace {
+double bytes_needed(const Plan& plan) {
+  return plan.bytes_per_particle * static_cast<double>(plan.particles);
+}
+
+double bytes_of_machine() {
+  return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+}
+}  // namespace
+
+std::string memory_words(const Plan& plan) {
+  std::string words =
+      fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle, bytes_needed(plan) / 1e6);
+  if (exceeds_memory(plan)) words += fmt::format("; this machine has {:.3g} MB", bytes_of_machine() / 1e6);
+  return words;
+}
+
+bool exceeds_memory(const Plan& plan) { return bytes_needed(plan) > bytes_of_machine(); }
+
+}  // namespace sandglass::program
