@@ -82,6 +82,7 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("random offset", parameters_.offset.random != 0);
     plan.feature("momentum carried by collisions (observer pressure)", parameters_.measure_transfer);
     plan.feature("pairs expected by chance", parameters_.pair_count == PairCount::expected);
+    plan.feature("clock of every cell", parameters_.pair_count == PairCount::time_counter);
     plan.feature("partners a diameter away", parameters_.partners == Partners::contact);
     plan.feature("excluded volume of cells", parameters_.excluded_volume.any());
     plan.feature("cells displaced at random", cells_.shifted_cells().has_value());
@@ -117,6 +118,7 @@ class Builder final : public MethodBuilder<D> {
   double bytes_per_particle(double particles) const {
     const double per_cell = (parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8) +
                             (parameters_.pair_count == PairCount::expected ? 44 : 0) +
+                            (parameters_.pair_count == PairCount::time_counter ? 8 : 0) +
                             (parameters_.partners == Partners::contact ? 4 + sizeof(VelocityBox<D>) : 0) +
                             (cells_.volumes().empty() ? 0 : 8 + 8);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +

@@ -30,6 +30,18 @@ Offset offset_of(const Scene& scene) {
   return {};
 }
 
+PairCount pair_count_of(const DsmcOptions& options) {
+  switch (options.pair_count) {
+    case sandglass::PairCount::counted:
+      return PairCount::counted;
+    case sandglass::PairCount::expected:
+      return PairCount::expected;
+    case sandglass::PairCount::time_counter:
+      return PairCount::time_counter;
+  }
+  return PairCount::counted;
+}
+
 ExcludedVolume excluded_volume_of(int dimension, const DsmcOptions& options) {
   ExcludedVolume volume;
   if (options.excluded_volume == sandglass::ExcludedVolume::none) return volume;
@@ -80,7 +92,7 @@ Parameters parameters_of(const Scene& scene) {
   parameters.poured = static_cast<double>(poured_count(scene));
   parameters.excluded_volume = excluded_volume_of(D, options);
   parameters.impact.coefficient = {options.impact_coefficient.at, options.impact_coefficient.value};
-  if (options.pair_count == sandglass::PairCount::expected) parameters.pair_count = PairCount::expected;
+  parameters.pair_count = pair_count_of(options);
   if (options.partners == sandglass::Partners::contact) parameters.partners = Partners::contact;
   if (options.contact_factor == ContactFactor::local)
     parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed};

@@ -1,6 +1,6 @@
-#include "sim/method/dsmc/collision_kernel.hpp"
 #include "sim/method/dsmc/faulty_pairs.hpp"
 #include "sim/method/dsmc/fitted_pairs.hpp"
+#include "sim/method/dsmc/make_kernel.hpp"
 #include "sim/method/dsmc/mixed_pairs.hpp"
 #include "sim/method/dsmc/rough_pairs.hpp"
 

@@ -37,6 +37,7 @@ class TwoSizes : public PairRule<2> {
     columns.phases[pair.second].velocity -= mass_1 * kick;
     return mass_2 * kick;
   }
+  double rate(const Columns&, const Pair&, double speed) const { return speed; }
   double transfer(const Columns&, const Pair&, const Vector<2>&) const { return 0; }
 
  private:

@@ -25,8 +25,9 @@ struct LocalFactor {
 };
 
 /// What candidates come from. counted: the pairs that each cell holds. expected: as many as chance would put into cells of
-/// the local density; see ExpectedPairs.
-enum class PairCount { counted, expected };
+/// the local density; see ExpectedPairs. time_counter: pairs collide until the clock of the cell has passed the step; see
+/// TimeCounterKernel.
+enum class PairCount { counted, expected, time_counter };
 
 /// Excluded volume on the level of cells (hybrid simulation Monte Carlo, Mueller 2001). Absent where `densest` is 0.
 struct ExcludedVolume {
@@ -64,6 +65,8 @@ struct Faults {
   bool fraction_truncated = false;  ///< drops the fractional candidate
   bool spins_reversed = false;      ///< a collision changes spins the wrong way round
   bool first_reduced_mass = false;  ///< every pair has the reduced mass of two particles of the first species
+  bool time_of_other_pair = false;  ///< a collision sets the clock forward by the time of another pair
+  bool clocks_forgotten = false;    ///< clocks start every step anew
   double expected_pairs = 1;        ///< factor on the pairs that PairCount::expected puts into a cell
   bool speeds_forgotten = false;    ///< PairCount::expected takes missing pairs for average ones
   double heat_share = 1;            ///< of the energy that collisions of cells take, given back
@@ -74,7 +77,7 @@ struct Faults {
   /// Of the collision kernel within cells; the others are those of their owners.
   bool any() const {
     return bound != 1 || momentum_leak != 0 || impact != 1 || acceptance_inverted || fraction_truncated ||
-           spins_reversed || first_reduced_mass;
+           spins_reversed || first_reduced_mass || time_of_other_pair;
   }
 };
 

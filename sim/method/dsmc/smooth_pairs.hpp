@@ -29,6 +29,8 @@ class SmoothPairs : public PairRule<D> {
   bool accepts(const Columns&, const Pair&, double square_speed, double square_bound, double uniform) const {
     return uniform * uniform * square_bound < square_speed;
   }
+  /// Speed times cross-section of a pair, in the units of bound().
+  double rate(const Columns&, const Pair&, double speed) const { return speed; }
   /// Changes both particles and returns the change of the first velocity along the line of centres. `relative` is
   /// v_1 - v_2.
   Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,

@@ -25,6 +25,10 @@ class SpeciesPairs : public PairRule<D> {
     return uniform * uniform * square_bound < square_speed * section * section;
   }
   template <class Columns>
+  double rate(const Columns& columns, const Pair& pair, double speed) const {
+    return speed * table_.pair(index(columns, pair)).cross_section;
+  }
+  template <class Columns>
   double transfer(const Columns& columns, const Pair& pair, const Vector<D>& displacement) const {
     const Phase<D>&one = columns.phases[pair.first], &two = columns.phases[pair.second];
     return (species_[columns.kind(pair.first)].mass * one.velocity -

@@ -34,7 +34,7 @@ void check_mixture(const Scene& scene, const DsmcOptions& dsmc, Choices& choices
       "the contact value of a mixture differs from pair to pair of species, and a cell has but one");
   choices.allow(dsmc.offset == Offset::none, "offset", "none",
                 "an offset of one diameter is that of one species");
-  choices.allow(dsmc.pair_count == PairCount::counted, "pair-count", "counted",
+  choices.allow(dsmc.pair_count != PairCount::expected, "pair-count", "counted",
                 "without an offset no pairs leave a cell");
   if (!scene.sources.empty() && diagnostics.clean("source"))
     diagnostics.report("source", "'source' pours one species: remove it or the further [[species]]");
