@@ -45,8 +45,8 @@ class CellKernel : public CollisionStage<D> {
 
   [[gnu::always_inline]] Cell cell_at_work(const CollisionStep<D>& step, std::uint32_t cell,
                                            double square_diagonal) const {
-    const std::uint32_t begin = step.offsets[cell], count = step.offsets[cell + 1] - begin;
-    const typename Rule::Columns columns = rule_.columns(step, begin);
+    const std::uint32_t count = step.offsets[cell + 1] - step.offsets[cell];
+    const typename Rule::Columns columns = rule_.columns(step, cell);
     return {columns, count, square(rule_.bound(columns, count, 1)) * square_diagonal,
             displaces_ && (step.still == nullptr || step.still[cell] == 0)};
   }
@@ -56,14 +56,13 @@ class CellKernel : public CollisionStage<D> {
                                        Candidate& candidate) const {
     ++step.tally->candidates;
     const Pair pair = draw_pair(cell.count, random);
-    Phase<D>& one = cell.columns.phases[pair.first];
-    Phase<D>& two = cell.columns.phases[pair.second];
-    const Vector<D> relative = one.velocity - two.velocity;
+    const Vector<D> relative =
+        cell.columns.phases[pair.first].velocity - cell.columns.phases[pair.second].velocity;
     const double square_speed = relative.squaredNorm();
     candidate = {pair, square_speed};
     if (!rule_.accepts(cell.columns, pair, square_speed, cell.square_bound, random.uniform())) return false;
     const Vector<D> change = rule_.collide(cell.columns, pair, relative, square_speed, random);
-    if (cell.displaces) cell.transfer += displace(cell.columns, pair, change, one, two, random);
+    if (cell.displaces) cell.transfer += displace(cell.columns, pair, change, random);
     ++step.tally->collisions;
     return true;
   }
@@ -88,11 +87,9 @@ class CellKernel : public CollisionStage<D> {
  private:
   /// Moves the partners apart along the momentum change and returns the momentum times distance that this carries.
   [[gnu::always_inline]] double displace(const typename Rule::Columns& columns, const Pair& pair,
-                                         const Vector<D>& change, Phase<D>& one, Phase<D>& two,
-                                         Random& random) const {
+                                         const Vector<D>& change, Random& random) const {
     const Vector<D> shift = displacement<D>(offset_, change.normalized(), random);
-    one.position += shift;
-    two.position -= shift;
+    rule_.displace(columns, pair, shift);
     return measure_transfer_ ? rule_.transfer(columns, pair, shift) : 0;
   }
 

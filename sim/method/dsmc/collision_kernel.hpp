@@ -52,7 +52,7 @@ class CollisionKernel final : public CellKernel<D, Rule, Displaces> {
       task.random = Random(step.key, cell);
       const double pairs = static_cast<double>(particles) * (static_cast<double>(particles) - 1);
       double expected = step.coefficient * pairs *
-                        rule_.bound(rule_.columns(step, begin), particles, std::sqrt(task.square_diagonal));
+                        rule_.bound(rule_.columns(step, cell), particles, std::sqrt(task.square_diagonal));
       if (step.factor != nullptr) expected *= step.factor[cell];
       require_few(expected, particles);
       task.candidates = rule_.whole(expected, task.random);
@@ -69,8 +69,7 @@ class CollisionKernel final : public CellKernel<D, Rule, Displaces> {
       Candidate candidate;
       if (!this->collides(step, cell, random, candidate)) continue;
       if (left == 1) break;
-      if (const double ratio = this->widen(cell, candidate.pair, task.box, task.square_diagonal);
-          ratio > 1) {
+      if (const double ratio = this->widen(cell, candidate.pair, task.box, task.square_diagonal); ratio > 1) {
         // The rest of the step goes on with the higher bound and proportionally more candidates.
         const double rest = (static_cast<double>(left) - 1) * std::sqrt(ratio);
         require_few(rest, cell.count);  // collisions that heat would never come to an end

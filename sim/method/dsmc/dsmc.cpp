@@ -73,7 +73,7 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
   const StreamKey key(streams_.seed, purpose_, streams_.replica, step);
   if (excluded_) excluded_->mark(store_.offsets());
   stages_.apply(store_, key, step, dt);
-  if (factor_) factor_->update(store_.offsets(), excluded_ ? excluded_->full() : nullptr);
+  if (factor_) factor_->update(store_.offsets(), excluded_ ? excluded_->full() : nullptr, species());
   if (clocks_) clocks_->begin_step(dt);
   const motion::MotionStep motion = this->motion_step(dt, step);
   const CollisionStep<D> collisions = collision_step(dt, key);
@@ -108,9 +108,15 @@ CollisionStep<D> Dsmc<D>::collision_step(double dt, const StreamKey& key) {
           store_.offsets().data(),
           &tally_,
           &bound_raised_,
-          parameters_.kinds.mixed() ? store_.column(column::species).data() : nullptr,
+          species(),
           parameters_.kinds.rough ? store_.column(column::spin<D>).data() : nullptr,
+          factor_ ? factor_->contact_of_pairs() : nullptr,
           clocks_ ? clocks_->values() : nullptr};
+}
+
+template <int D>
+const std::uint8_t* Dsmc<D>::species() {
+  return parameters_.kinds.mixed() ? store_.column(column::species).data() : nullptr;
 }
 
 template <int D>
@@ -198,7 +204,8 @@ void Dsmc<D>::restore(const Particles<D>& particles, const Memory& memory) {
 template <int D>
 std::size_t Dsmc<D>::bytes() const {
   return CellSimulator<D>::bytes() + stages_.bytes() + (factor_ ? factor_->bytes() : 0) +
-         (excluded_ ? excluded_->bytes() : 0) + (contact_ ? contact_->bytes() : 0) + (clocks_ ? clocks_->bytes() : 0);
+         (excluded_ ? excluded_->bytes() : 0) + (contact_ ? contact_->bytes() : 0) +
+         (clocks_ ? clocks_->bytes() : 0);
 }
 
 template class Dsmc<2>;

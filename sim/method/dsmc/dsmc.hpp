@@ -46,6 +46,7 @@ class Dsmc final : public CellSimulator<D> {
   /// Displaces the cells; the particles arrive in those of the next step.
   void find_cells_of(std::uint64_t next_step);
   double impact_coefficient() const;
+  const std::uint8_t* species();  ///< of each particle; null where there is one only
   CollisionStep<D> collision_step(double dt, const StreamKey& key);
   void move(const motion::MotionStep& motion);
   /// Collides the cells and calls move(first cell, last cell) block by block.

@@ -17,7 +17,8 @@ class MixedPairs : public SpeciesPairs<D> {
 
   using SpeciesPairs<D>::SpeciesPairs;
 
-  Columns columns(const CollisionStep<D>& step, std::uint32_t first) const {
+  Columns columns(const CollisionStep<D>& step, std::uint32_t cell) const {
+    const std::uint32_t first = step.offsets[cell];
     return {step.particles + first, step.species + first, counts_by_species(*step.tally)};
   }
   Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,

@@ -20,8 +20,8 @@ class TwoSizes : public PairRule<2> {
   };
   explicit TwoSizes(const Parameters& parameters) : restitution_(parameters.restitution) {}
 
-  Columns columns(const CollisionStep<2>& step, std::uint32_t first) const {
-    return {step.particles + first};
+  Columns columns(const CollisionStep<2>& step, std::uint32_t cell) const {
+    return {step.particles + step.offsets[cell]};
   }
   double bound(const Columns&, std::uint32_t, double speed) const { return 2 * speed; }  // two large disks
   bool accepts(const Columns& columns, const Pair& pair, double square_speed, double square_bound,

@@ -22,6 +22,7 @@ struct Offset {
 struct LocalFactor {
   ContactFormula formula = nullptr;
   bool smoothed = true;  ///< from a window of cells without the pair itself; else from the cell's own count
+  int dimension = 0;     ///< of the formula for a mixture
 };
 
 /// What candidates come from. counted: the pairs that each cell holds. expected: as many as chance would put into cells of
@@ -52,6 +53,7 @@ struct Kinds {
   std::vector<SpeciesTraits> species;
   std::vector<Surface> surfaces;  ///< of species a with species b at [a * species.size() + b]
   bool rough = false;             ///< particles have spin
+  std::vector<double> offsets;    ///< of each such pair in units of Parameters::offset; empty: all 1
   bool any() const { return !species.empty(); }
   bool mixed() const { return species.size() > 1; }
 };
@@ -72,6 +74,7 @@ struct Faults {
   double heat_share = 1;            ///< of the energy that collisions of cells take, given back
   bool colours_fixed = false;       ///< the checkerboard of full cells does not swap
   bool room_updated = false;        ///< a cell fills up as its particles arrive, in the order of work
+  bool contact_of_largest = false;  ///< every pair of species has the largest contact factor of them
   double reach = 1;                 ///< factor on the distance at which Partners::contact looks
   double contact_place = 0.5;  ///< where on the line of centres Partners::contact reads the contact value
   /// Of the collision kernel within cells; the others are those of their owners.
@@ -81,7 +84,8 @@ struct Faults {
   }
 };
 
-/// Everything that the DSMC kernel must know about the particles. Diameter, mass and restitution are those of one species.
+/// Everything that the DSMC kernel must know about the particles. Mass and restitution are those of one species, the diameter
+/// is: of several, that of a particle of mean area or volume, which estimates need.
 struct Parameters {
   double diameter = 1;
   double mass = 1;

@@ -68,7 +68,12 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](P p, int) { p.offset.consistent *= 2; }},
       {{"contact-factor-dropped", "contact factor left out"}, [](P p, int) { p.factor.formula = nullptr; }},
       {{"contact-factor-of-other-dimension", "contact factor of spheres for disks and of disks for spheres"},
-       [](P p, int dimension) { p.factor.formula = contact_formula(dimension == 2 ? 3 : 2); }},
+       [](P p, int dimension) {
+         p.factor.dimension = dimension == 2 ? 3 : 2;
+         p.factor.formula = contact_formula(p.factor.dimension);
+       }},
+      {{"contact-value-of-larger-species", "every pair has the contact factor of the largest species"},
+       [](P p, int) { p.faults.contact_of_largest = true; }},
       {{"density-from-cell-count", "contact factor from the cell's own count"},
        [](P p, int) { p.factor.smoothed = false; }},
       {{"expected-pairs-doubled", "twice the pairs that chance puts into a cell"},

@@ -20,7 +20,8 @@ class RoughPairs : public SpeciesPairs<D> {
   explicit RoughPairs(const Parameters& parameters)
       : SpeciesPairs<D>(parameters), surfaces_(parameters.kinds.surfaces) {}
 
-  Columns columns(const CollisionStep<D>& step, std::uint32_t first) const {
+  Columns columns(const CollisionStep<D>& step, std::uint32_t cell) const {
+    const std::uint32_t first = step.offsets[cell];
     return {step.particles + first, step.species == nullptr ? nullptr : step.species + first,
             step.spins + first, counts_by_species(*step.tally)};
   }

@@ -18,8 +18,8 @@ class SmoothPairs : public PairRule<D> {
   explicit SmoothPairs(const Parameters& parameters)
       : restitution_(parameters.restitution), mass_(parameters.mass) {}
 
-  Columns columns(const CollisionStep<D>& step, std::uint32_t first) const {
-    return {step.particles + first};
+  Columns columns(const CollisionStep<D>& step, std::uint32_t cell) const {
+    return {step.particles + step.offsets[cell]};
   }
 
   /// What candidates are drawn for: at least relative speed times cross-section of any pair among `count` particles of a
@@ -47,10 +47,10 @@ class SmoothPairs : public PairRule<D> {
     SmoothInelastic{restitution_}(velocity, columns.phases[pair.second].velocity, normal);
     return velocity - before;
   }
-  /// Sum over both partners of m v' . displacement when they move by +-`displacement`.
-  double transfer(const Columns& columns, const Pair& pair, const Vector<D>& displacement) const {
+  /// Sum over both partners of m v' . displacement where displace() moves them.
+  double transfer(const Columns& columns, const Pair& pair, const Vector<D>& shift) const {
     const Phase<D>&one = columns.phases[pair.first], &two = columns.phases[pair.second];
-    return mass_ * (one.velocity - two.velocity).dot(displacement);
+    return mass_ * (one.velocity - two.velocity).dot(shift);
   }
 
  private:

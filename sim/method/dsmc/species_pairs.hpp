@@ -28,12 +28,18 @@ class SpeciesPairs : public PairRule<D> {
   double rate(const Columns& columns, const Pair& pair, double speed) const {
     return speed * table_.pair(index(columns, pair)).cross_section;
   }
+  /// `shift` is the offset of Parameters; the centre of mass stays where it is.
   template <class Columns>
-  double transfer(const Columns& columns, const Pair& pair, const Vector<D>& displacement) const {
+  void displace(const Columns& columns, const Pair& pair, const Vector<D>& shift) const {
+    const PairOfSpecies& both = table_.pair(index(columns, pair));
+    columns.phases[pair.first].position += both.offset * both.share_1 * shift;
+    columns.phases[pair.second].position -= both.offset * both.share_2 * shift;
+  }
+  template <class Columns>
+  double transfer(const Columns& columns, const Pair& pair, const Vector<D>& shift) const {
+    const PairOfSpecies& both = table_.pair(index(columns, pair));
     const Phase<D>&one = columns.phases[pair.first], &two = columns.phases[pair.second];
-    return (species_[columns.kind(pair.first)].mass * one.velocity -
-            species_[columns.kind(pair.second)].mass * two.velocity)
-        .dot(displacement);
+    return both.offset * both.twice_reduced_mass * (one.velocity - two.velocity).dot(shift);
   }
 
  protected:

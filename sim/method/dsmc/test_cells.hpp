@@ -13,6 +13,7 @@ struct TestCells {
   std::vector<std::uint32_t> offsets{0};
   std::vector<std::uint8_t> species;  ///< empty: one
   std::vector<Spin<D>> spins;         ///< empty: smooth
+  std::vector<double> contact;        ///< empty: none
   std::vector<double> clocks;         ///< empty: none
   Tally tally;
   std::uint64_t bound_raised = 0;
@@ -35,6 +36,7 @@ struct TestCells {
             &bound_raised,
             species.empty() ? nullptr : species.data(),
             spins.empty() ? nullptr : spins.data(),
+            contact.empty() ? nullptr : contact.data(),
             clocks.empty() ? nullptr : clocks.data()};
   }
   void collide(const CollisionStage<D>& stage, double coefficient, std::uint64_t number) {

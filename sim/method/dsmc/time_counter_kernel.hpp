@@ -57,6 +57,7 @@ class TimeCounterKernel final : public CellKernel<D, Rule, true> {
       clock += 1 / (unit * rule_.rate(cell.columns, candidate.pair, std::sqrt(candidate.square_speed)));
       if (const double ratio = this->widen(cell, candidate.pair, box, square_diagonal); ratio > 1) {
         cell.square_bound *= ratio;
+        require_few(unit * std::sqrt(cell.square_bound), cell.count);
         ++*step.bound_raised;
       }
     }

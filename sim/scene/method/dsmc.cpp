@@ -28,8 +28,8 @@ const Words<Offset>& offset_words() {
 
 const Words<PairCount>& pair_count_words() {
   static const Words<PairCount> words = {{"counted", PairCount::counted},
-                                          {"expected", PairCount::expected},
-                                          {"time-counter", PairCount::time_counter}};
+                                         {"expected", PairCount::expected},
+                                         {"time-counter", PairCount::time_counter}};
   return words;
 }
 
@@ -91,9 +91,10 @@ void check_corrected_offset(const Scene& scene, Diagnostics& diagnostics) {
 
 void check_time_counter(const DsmcOptions& dsmc, Diagnostics& diagnostics) {
   if (dsmc.pair_count != PairCount::time_counter || dsmc.lattice != CellLattice::shifted) return;
-  diagnostics.report("method.pair-count",
-                     "'method.pair-count' must not be \"time-counter\" with lattice = \"shifted\": a clock is "
-                     "that of particles which stay in its cell for some steps");
+  diagnostics.report(
+      "method.pair-count",
+      "'method.pair-count' must not be \"time-counter\" with lattice = \"shifted\": a clock is "
+      "that of particles which stay in its cell for some steps");
 }
 
 void check(const Scene& scene, Diagnostics& diagnostics) {
