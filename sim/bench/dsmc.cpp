@@ -18,7 +18,8 @@ constexpr double kCollisionsPerMove = 0.06;
 
 struct Feature {
   bool factor = false, expected = false, gravity = false, walls = false, ids = false, transfer = false;
-  bool plane = false, thermal = false, obstacles = false;
+  bool plane = false, thermal = false, obstacles = false, time_counter = false;
+  std::size_t species = 1;
   Offset offset{};
 };
 
@@ -52,14 +53,24 @@ void moves(benchmark::State& state, Feature feature) {
       motion.obstacles.push_back({place.position + Vector<D>::Constant(0.5), 0.2, {}});
   if (feature.factor) parameters.factor.formula = contact_formula(D);
   if (feature.expected) parameters.pair_count = PairCount::expected;
+  if (feature.time_counter) parameters.pair_count = PairCount::time_counter;
+  if (feature.species > 1) {
+    parameters.kinds.species.assign(feature.species, {parameters.diameter, 1});
+    parameters.kinds.surfaces.resize(feature.species * feature.species);
+    parameters.factor.dimension = D;
+  }
   parameters.offset = {feature.offset.consistent * parameters.diameter,
                        feature.offset.random * parameters.diameter};
   motion.offsets = parameters.offset.any();
   parameters.measure_transfer = feature.transfer;
   std::vector<ColumnInfo> columns;
   if (feature.ids) columns.push_back(column::id);
+  if (feature.species > 1) columns.push_back(column::species);
   Dsmc<D> dsmc(grid, parameters, motion, Streams{}, Purpose::collisions, columns);
-  dsmc.assign({scattered<D>(count, edge_cells), {}});
+  Particles<D> particles{scattered<D>(count, edge_cells), {}};
+  for (std::size_t i = 0; feature.species > 1 && i < count; ++i)
+    particles.columns.append(column::species, static_cast<std::uint8_t>(i % feature.species));
+  dsmc.assign(particles);
   std::uint64_t step = 0;
   for (; step < 3; ++step) dsmc.step(dt, step);
   dsmc.tally() = Tally{};
@@ -84,6 +95,10 @@ void register_features(const std::string& prefix) {
   };
   add("plain", {}, {100'000, 1'000'000, 10'000'000});
   const std::initializer_list<std::int64_t> one = {100'000};
+  add("time_counter", {.time_counter = true}, one);
+  add("two_species", {.species = 2}, one);
+  add("two_species_time_counter", {.time_counter = true, .species = 2}, one);
+  add("two_species_contact_factor", {.factor = true, .species = 2}, one);
   add("contact_factor", {.factor = true}, one);
   add("offset", {.offset = {1, 0}}, one);
   add("offset_measured", {.transfer = true, .offset = {1, 0}}, one);

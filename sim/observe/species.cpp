@@ -20,15 +20,15 @@ template <int D>
 std::vector<double> SpeciesTemperature<D>::measure(const View<D>& view) {
   return with_population(view, [&](const auto& all) {
     const Vector<D> mean = mean_velocity(view, all);
+    const auto sums = sum_particles_by_kind<2>(
+        view, species_.size(), [&](std::uint32_t i) { return all.index(i); },
+        [&](const Phase<D>& particle, std::uint32_t i) {
+          return std::array{all.real_mass(i) * (particle.velocity - mean).squaredNorm() / D,
+                            all.weight(i) * (1 - all.real_mass(i) / all.total_mass)};
+        });
     std::vector<double> values;
-    for (std::size_t kind = 0; kind < species_.size(); ++kind) {
-      const auto sum = sum_particles<2>(view, [&](const Phase<D>& particle, std::uint32_t i) {
-        if (all.index(i) != kind) return std::array{0.0, 0.0};
-        return std::array{all.real_mass(i) * (particle.velocity - mean).squaredNorm() / D,
-                          all.weight(i) * (1 - all.real_mass(i) / all.total_mass)};
-      });
-      values.push_back(sum[1] > 0 ? all.mass_unit() * sum[0] / sum[1] : 0);
-    }
+    for (const auto& [squares, freedom] : sums)
+      values.push_back(freedom > 0 ? all.mass_unit() * squares / freedom : 0);
     return values;
   });
 }

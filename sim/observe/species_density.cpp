@@ -1,6 +1,6 @@
 #include "sim/observe/species_density.hpp"
 
-#include "sim/observe/population.hpp"
+#include "sim/observe/bin_counts.hpp"
 
 namespace sandglass {
 
@@ -13,14 +13,7 @@ Quantity SpeciesDensity<D>::quantity() const {
 
 template <int D>
 std::vector<double> SpeciesDensity<D>::measure(const View<D>& view) {
-  return with_population(view, [&](const auto& all) {
-    std::vector<double> density(bins_.size() * species_);
-    for (std::uint32_t i = 0; i < view.particles.size(); ++i)
-      density[bins_.bin_of(view.particles[i].position, view.box) * species_ + all.index(i)] += all.weight(i);
-    const double unit = all.weight.unit * static_cast<double>(bins_.size()) / view.box.prod();
-    for (double& value : density) value *= unit;
-    return density;
-  });
+  return densities_by_bin(view, bins_, species_, [](std::size_t species) { return species; });
 }
 
 template class SpeciesDensity<2>;

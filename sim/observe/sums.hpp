@@ -4,6 +4,7 @@
 
 #include <array>
 #include <type_traits>
+#include <vector>
 
 namespace sandglass {
 
@@ -28,6 +29,27 @@ std::array<double, K> sum_particles(const View<D>& view, Term term) {
   std::array<double, K> sum;
   for (std::size_t k = 0; k < K; ++k) sum[k] = total[k].value();
   return sum;
+}
+
+/// The same for the particles of each kind by themselves, in one pass: `kind(i)` is below `kinds`.
+template <std::size_t K, int D, class Kind, class Term>
+std::vector<std::array<double, K>> sum_particles_by_kind(const View<D>& view, std::size_t kinds, Kind kind,
+                                                         Term term) {
+  std::vector<std::array<ExactSum, K>> total(kinds);
+  std::vector<std::array<double, K>> sums(kinds);
+  for (std::size_t cell = 0; cell + 1 < view.offsets.size(); ++cell) {
+    if (view.offsets[cell] == view.offsets[cell + 1]) continue;
+    std::fill(sums.begin(), sums.end(), std::array<double, K>{});
+    for (std::uint32_t i = view.offsets[cell]; i < view.offsets[cell + 1]; ++i) {
+      const std::array<double, K> value = term(view.particles[i], i);
+      for (std::size_t k = 0; k < K; ++k) sums[kind(i)][k] += value[k];
+    }
+    for (std::size_t each = 0; each < kinds; ++each)
+      for (std::size_t k = 0; k < K; ++k) total[each][k].add(sums[each][k]);
+  }
+  for (std::size_t each = 0; each < kinds; ++each)
+    for (std::size_t k = 0; k < K; ++k) sums[each][k] = total[each][k].value();
+  return sums;
 }
 
 /// Velocity of the centre of mass; zero without particles.

@@ -1,6 +1,7 @@
 #include "sim/observe/two_fluids.hpp"
 
 #include "sim/observe/axes.hpp"
+#include "sim/observe/bin_counts.hpp"
 #include "sim/observe/sums.hpp"
 
 namespace sandglass {
@@ -8,17 +9,7 @@ namespace sandglass {
 namespace {
 const std::array<std::string, 2> kFluids = {"first", "others"};
 
-/// Sum of the weights, or the number of simulated particles, of each fluid in each bin.
-template <int D>
-std::vector<std::array<double, 2>> counts(const View<D>& view, const Lattice<D>& bins, bool weighted) {
-  std::vector<std::array<double, 2>> all(bins.size());
-  with_population(view, [&](const auto& population) {
-    for (std::uint32_t i = 0; i < view.particles.size(); ++i)
-      all[bins.bin_of(view.particles[i].position, view.box)][population.index(i) == 0 ? 0 : 1] +=
-          weighted ? population.weight.unit * population.weight(i) : 1;
-  });
-  return all;
-}
+std::size_t fluid_of(std::size_t species) { return species == 0 ? 0 : 1; }
 }  // namespace
 
 template <int D>
@@ -36,11 +27,7 @@ Quantity FluidDensity<D>::quantity() const {
 
 template <int D>
 std::vector<double> FluidDensity<D>::measure(const View<D>& view) {
-  const double per_bin = static_cast<double>(bins_.size()) / view.box.prod();
-  std::vector<double> values;
-  for (const auto& bin : counts(view, bins_, true))
-    for (const double count : bin) values.push_back(count * per_bin);
-  return values;
+  return densities_by_bin(view, bins_, 2, fluid_of);
 }
 
 template <int D>
@@ -60,18 +47,18 @@ Quantity FluidCentre<D>::quantity() const {
 template <int D>
 std::vector<double> FluidCentre<D>::measure(const View<D>& view) {
   return with_population(view, [&](const auto& all) {
-    const auto sum = sum_particles<2 * (D + 1)>(view, [&all](const Phase<D>& particle, std::uint32_t i) {
-      std::array<double, 2 * (D + 1)> terms{};
-      const std::size_t fluid = all.index(i) == 0 ? 0 : D + 1;
-      for (int axis = 0; axis < D; ++axis)
-        terms[fluid + static_cast<std::size_t>(axis)] = all.weight(i) * particle.position[axis];
-      terms[fluid + D] = all.weight(i);
-      return terms;
-    });
+    const auto sums = sum_particles_by_kind<D + 1>(
+        view, 2, [&](std::uint32_t i) { return fluid_of(all.index(i)); },
+        [&](const Phase<D>& particle, std::uint32_t i) {
+          std::array<double, D + 1> terms;
+          for (int axis = 0; axis < D; ++axis)
+            terms[static_cast<std::size_t>(axis)] = all.weight(i) * particle.position[axis];
+          terms[D] = all.weight(i);
+          return terms;
+        });
     std::vector<double> values;
-    for (const std::size_t fluid : {std::size_t{0}, std::size_t{D + 1}})
-      for (std::size_t axis = 0; axis < D; ++axis)
-        values.push_back(sum[fluid + D] > 0 ? sum[fluid + axis] / sum[fluid + D] : 0);
+    for (const auto& sum : sums)
+      for (std::size_t axis = 0; axis < D; ++axis) values.push_back(sum[D] > 0 ? sum[axis] / sum[D] : 0);
     return values;
   });
 }
@@ -89,7 +76,14 @@ Quantity MixingIndex<D>::quantity() const {
 
 template <int D>
 std::vector<double> MixingIndex<D>::measure(const View<D>& view) {
-  return {mixing_index(counts(view, bins_, false))};
+  const std::vector<double> counts = with_population(view, [&](const auto& all) {
+    return sums_by_bin(
+        view, bins_, 2, [&](std::uint32_t i) { return fluid_of(all.index(i)); },
+        [](std::uint32_t) { return 1; });
+  });
+  std::vector<std::array<double, 2>> bins;
+  for (std::size_t i = 0; i < counts.size(); i += 2) bins.push_back({counts[i], counts[i + 1]});
+  return {mixing_index(bins)};
 }
 
 double mixing_index(const std::vector<std::array<double, 2>>& bins) {

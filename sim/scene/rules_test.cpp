@@ -90,11 +90,6 @@ const std::vector<BadEdit> species = {
      "13:9",
      {"fraction 0.9425", "close packing (0.9069)"}},
     {"random_close", "area-fraction = 0.2", "area-fraction = 0.85", "13:17", {"random close packing (0.82)"}},
-    {"two_species",
-     "[method]",
-     "[[species]]\ncount = 3\n[method]",
-     "19:1",
-     {"'method.contact-factor'", "several species", "'dsmc'"}},
 };
 
 const std::vector<BadEdit> method = {

@@ -95,15 +95,12 @@ double fraction(const Scene& scene) {
   return total;
 }
 
-namespace {
-/// Until the end; infinite where the scene does not say when that is.
 double duration_of(const Scene& scene) {
   if (scene.run.duration.time) return *scene.run.duration.time;
   if (scene.run.duration.steps && scene.method.time_step.fixed)
     return static_cast<double>(*scene.run.duration.steps) * *scene.method.time_step.fixed;
   return std::numeric_limits<double>::infinity();
 }
-}  // namespace
 
 std::uint64_t poured_count(const Scene& scene) {
   double total = 0;

@@ -54,6 +54,8 @@ double fraction(const Scene& scene, const Species& species);
 /// The same of all species together.
 std::uint64_t particle_count(const Scene& scene);
 double fraction(const Scene& scene);
+/// Time until the end; infinite where the scene does not say when that is.
+double duration_of(const Scene& scene);
 /// Simulated particles that the sources bring in until the end, as far as the scene says it: with neither a `count` nor an
 /// end in time, none.
 std::uint64_t poured_count(const Scene& scene);

@@ -68,6 +68,27 @@ class Neighbours {
     return static_cast<std::uint32_t>(sum % 2);
   }
 
+  /// Calls visit(cell) for every cell that has this colour at this turn, in their order.
+  template <class Visit>
+  void for_each_of_colour(std::uint32_t wanted, std::uint64_t turn, Visit visit) const {
+    if (diagonal_) {
+      for (std::uint32_t cell = 0; cell < size_; ++cell)
+        if (colour(cell, turn) == wanted) visit(cell);
+      return;
+    }
+    // Along a row colours alternate, but for the seam of an odd number of cells.
+    const std::uint32_t row = cells_[0], seam = row - static_cast<std::uint32_t>(turn / 2 % row);
+    const auto visit_part = [&](std::uint32_t first, std::uint32_t last) {
+      if (first == last) return;
+      for (std::uint32_t cell = first + (colour(first, turn) != wanted); cell < last; cell += 2) visit(cell);
+    };
+    for (std::uint32_t first = 0; first < size_; first += row) {
+      const std::uint32_t middle = first + (periodic_[0] && row % 2 == 1 ? seam : row);
+      visit_part(first, middle);
+      visit_part(middle, first + row);
+    }
+  }
+
   /// Whether all neighbours differ in colour, at every turn.
   bool alternate() const { return alternate_; }
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -90,6 +91,23 @@ TEST(Neighbours, CheckerboardSwapsWithEveryTurn) {
       for (std::uint32_t cell = 0; cell < grid().size(); ++cell)
         ASSERT_NE(neighbours.colour(cell, turn), neighbours.colour(cell, turn + 1)) << cell << ' ' << turn;
   }
+}
+
+/// In the order of the cells, and each once; rows of odd and even numbers of cells.
+TEST(Neighbours, CellsOfAColourAreThoseThatHaveIt) {
+  for (const bool around : {true, false})
+    for (std::uint32_t row = 1; row < 6; ++row) {
+      const Grid<3> box(Vector<3>(1, 1, 1), {row, 3, 2});
+      const Neighbours<3> neighbours(box, {around, around, false});
+      for (std::uint64_t turn = 0; turn < 30; ++turn)
+        for (const std::uint32_t colour : {0U, 1U}) {
+          std::vector<std::uint32_t> visited, expected;
+          neighbours.for_each_of_colour(colour, turn, [&](std::uint32_t cell) { visited.push_back(cell); });
+          for (std::uint32_t cell = 0; cell < box.size(); ++cell)
+            if (neighbours.colour(cell, turn) == colour) expected.push_back(cell);
+          ASSERT_EQ(visited, expected) << row << " cells, turn " << turn;
+        }
+    }
 }
 
 TEST(Neighbours, ASingleCellHasNoPair) {

@@ -29,6 +29,15 @@ std::span<Phase<D>> particles_of(const CellStep<D>& step, std::uint32_t cell) {
   return step.store.phases().subspan(offsets[cell], offsets[cell + 1] - offsets[cell]);
 }
 
+/// Pairs that are known beforehand: the particles of one this far ahead are on their way while others collide.
+constexpr std::size_t kPairsAhead = 4;
+
+template <int D>
+void fetch(std::span<Phase<D>> particles) {
+  for (std::size_t i = 0; i < particles.size(); i += 64 / sizeof(Phase<D>))
+    __builtin_prefetch(particles.data() + i, 1);
+}
+
 template <int D>
 Vector<D> mean_velocity(std::span<const Phase<D>> particles) {
   Vector<D> sum = Vector<D>::Zero();
@@ -89,35 +98,61 @@ CellCollisions<D>::CellCollisions(const Parameters& parameters, const LatticeOfC
       swap_(parameters.faults.colours_fixed ? 0 : 1),
       choice_(cells.size()) {}
 
+/// Mean velocities are those of the cells that may collide in this step.
 template <int D>
-void CellCollisions<D>::apply(const CellStep<D>& step) {
-  if (!full_.any()) return;
-  chosen_.clear();
-  for (std::uint32_t cell = 0; cell < choice_.size(); ++cell)
-    if (full_.full(cell) && active(step, cell)) choose(step, cell);
-  for (const std::uint32_t cell : chosen_) {
-    collide(step, choice_[cell].from, cell);
-    choice_[cell] = {};
+CellNeeds CellCollisions<D>::needs(const CellStep<D>& step) {
+  find_active(step);
+  if (active_.empty()) return {};
+  near_.assign(choice_.size(), 0);
+  for (const std::uint32_t cell : active_) {
+    near_[cell] = 1;
+    step.neighbours.for_each_neighbour(
+        cell, [this](std::uint32_t neighbour, const Vector<D>&) { near_[neighbour] = 1; });
   }
+  return {.velocity = true, .where = near_};
 }
 
 template <int D>
-bool CellCollisions<D>::active(const CellStep<D>& step, std::uint32_t cell) const {
-  return step.neighbours.colour(cell, step.number * swap_) == 0;
+void CellCollisions<D>::find_active(const CellStep<D>& step) {
+  active_.resize(full_.any() ? choice_.size() + 1 : 0);
+  std::size_t count = 0;
+  if (full_.any())
+    step.neighbours.for_each_of_colour(0, turn(step), [&](std::uint32_t cell) {
+      active_[count] = cell;  // whether it counts nobody can guess: no branch
+      count += full_.full(cell);
+    });
+  active_.resize(count);
+}
+
+template <int D>
+void CellCollisions<D>::apply(const CellStep<D>& step) {
+  chosen_.clear();
+  for (const std::uint32_t cell : active_) choose(step, cell);
+  for (std::size_t i = 0; i < chosen_.size(); ++i) {
+    if (i + kPairsAhead < chosen_.size()) {
+      const std::uint32_t coming = chosen_[i + kPairsAhead];
+      fetch(particles_of(step, coming));
+      fetch(particles_of(step, choice_[coming].from));
+    }
+    collide(step, choice_[chosen_[i]].from, chosen_[i]);
+    choice_[chosen_[i]] = {};
+  }
 }
 
 /// Among neighbours of the other colour. The first of equals is taken, in the order of the cells.
 template <int D>
 void CellCollisions<D>::choose(const CellStep<D>& step, std::uint32_t cell) {
   const auto offsets = step.store.offsets();
-  const Vector<D>& velocity = step.fields.velocity[cell];
+  const Vector<D> velocity = step.fields.velocity[cell];
   const bool ask = !step.neighbours.alternate();
   Choice best{0, cell};
   std::uint32_t to = cell;
   step.neighbours.for_each_neighbour(cell, [&](std::uint32_t neighbour, const Vector<D>& direction) {
-    if (offsets[neighbour] == offsets[neighbour + 1] || (ask && active(step, neighbour))) return;
+    if (ask && step.neighbours.colour(neighbour, turn(step)) == 0) return;
     const double approach = (velocity - step.fields.velocity[neighbour]).dot(direction);
-    if (approach > best.approach) best.approach = approach, to = neighbour;
+    const bool nearer = bool(approach > best.approach) & bool(offsets[neighbour] != offsets[neighbour + 1]);
+    best.approach = nearer ? approach : best.approach;
+    to = nearer ? neighbour : to;
   });
   if (to == cell) return;
   Choice& current = choice_[to];
@@ -138,8 +173,8 @@ void CellCollisions<D>::collide(const CellStep<D>& step, std::uint32_t first, st
   const Vector<D> impulse = -(1 + restitution_) * reduced * speed * normal;
   const double heat = 0.5 * heat_share_ * reduced * (1 - restitution_ * restitution_) * speed * speed;
   const double square = 2 * heat / mass_;
-  const double thermal_1 = thermal_square<D>(one, mean_1, square),
-               thermal_2 = thermal_square<D>(two, mean_2, square);
+  const double thermal_1 = heat > 0 ? thermal_square<D>(one, mean_1, square) : 0,
+               thermal_2 = heat > 0 ? thermal_square<D>(two, mean_2, square) : 0;
   const double share = heat > 0 ? share_of_first(mass_2 / (mass_1 + mass_2), thermal_1, thermal_2) : 0;
   const bool lost = thermal_1 == 0 && thermal_2 == 0;
   move_on<D>(one, mean_1, impulse / mass_1, thermal_1, lost ? 0 : share * square);

@@ -25,12 +25,13 @@ class CellCollisions final : public CellStage<D> {
  public:
   CellCollisions(const Parameters& parameters, const LatticeOfCells<D>& cells, const FullCells<D>& full);
 
-  CellNeeds needs() const override { return {.velocity = full_.any()}; }
+  CellNeeds needs(const CellStep<D>& step) override;
   void apply(const CellStep<D>& step) override;
 
   CellCollisionCount& count() { return count_; }
   std::size_t bytes() const {
-    return choice_.capacity() * sizeof(Choice) + chosen_.capacity() * sizeof(std::uint32_t);
+    return choice_.capacity() * sizeof(Choice) + near_.capacity() +
+           (active_.capacity() + chosen_.capacity()) * sizeof(std::uint32_t);
   }
 
  private:
@@ -40,15 +41,18 @@ class CellCollisions final : public CellStage<D> {
     std::uint32_t from = 0;
   };
 
-  bool active(const CellStep<D>& step, std::uint32_t cell) const;
+  std::uint64_t turn(const CellStep<D>& step) const { return step.number * swap_; }
+  void find_active(const CellStep<D>& step);
   void choose(const CellStep<D>& step, std::uint32_t cell);
   void collide(const CellStep<D>& step, std::uint32_t first, std::uint32_t second);
 
   const FullCells<D>& full_;
   double mass_, restitution_, heat_share_;
-  std::uint64_t swap_;                 ///< 1: the colours swap every step
-  std::vector<Choice> choice_;         ///< by chosen cell
-  std::vector<std::uint32_t> chosen_;  ///< cells that some other has chosen
+  std::uint64_t swap_;  ///< 1: the colours swap every step
+  std::vector<std::uint32_t> active_,
+      chosen_;                      ///< full cells of the active colour; cells that those have chosen
+  std::vector<std::uint8_t> near_;  ///< by cell, not zero for an active one and its neighbours
+  std::vector<Choice> choice_;      ///< by chosen cell
   CellCollisionCount count_;
 };
 

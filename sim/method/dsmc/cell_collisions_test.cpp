@@ -24,8 +24,10 @@ struct Bench {
   }
 
   void apply(std::uint64_t number) {
-    fields.update(stage.needs(), store);
-    stage.apply({StreamKey(1, Purpose::collisions, 0, number), number, 0.1, store, fields, neighbours});
+    const CellStep<D> step{
+        StreamKey(1, Purpose::collisions, 0, number), number, 0.1, store, fields, neighbours};
+    fields.update(stage.needs(step), store);
+    stage.apply(step);
   }
   std::span<const Phase<D>> cell(std::uint32_t index) const {
     const auto offsets = store.offsets();

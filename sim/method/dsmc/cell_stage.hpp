@@ -4,7 +4,9 @@
 #include "sim/space/neighbours.hpp"
 #include "sim/space/particle_store.hpp"
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,10 +15,11 @@ namespace sandglass::dsmc {
 /// Which fields a stage reads.
 struct CellNeeds {
   bool density = false, velocity = false, energy = false;
+  std::span<const std::uint8_t> where = {};  ///< by cell, not zero where it reads them; empty: everywhere
 };
 
-/// Numbers per cell, those that the coming stage needs; the others are empty. A stage may write to them, and keeps columns
-/// of its own in itself.
+/// Numbers per cell, those that the coming stage needs; the others are empty, and without meaning in cells where it does
+/// not read them. A stage may write to them, and keeps columns of its own in itself.
 template <int D>
 struct CellFields {
   std::vector<double> density;      ///< simulated particles per area or volume
@@ -42,7 +45,8 @@ template <int D>
 class CellStage {
  public:
   virtual ~CellStage() = default;
-  virtual CellNeeds needs() const { return {}; }
+  /// Asked before apply() in every step.
+  virtual CellNeeds needs(const CellStep<D>&) { return {}; }
   virtual void apply(const CellStep<D>& step) = 0;
 };
 
@@ -56,9 +60,10 @@ class CellStages {
   void add(std::unique_ptr<CellStage<D>> stage) { stages_.push_back(std::move(stage)); }
   /// `number` is that of the step.
   void apply(ParticleStore<D>& store, const StreamKey& key, std::uint64_t number, double dt) {
+    const CellStep<D> step{key, number, dt, store, fields_, neighbours_};
     for (const auto& stage : stages_) {
-      fields_.update(stage->needs(), store);
-      stage->apply({key, number, dt, store, fields_, neighbours_});
+      fields_.update(stage->needs(step), store);
+      stage->apply(step);
     }
   }
   std::size_t bytes() const {

@@ -105,7 +105,7 @@ TEST(CellStage, SwapKeepsEverySpeed) {
 template <int D>
 class Look final : public CellStage<D> {
  public:
-  CellNeeds needs() const override { return {true, true, false}; }
+  CellNeeds needs(const CellStep<D>&) override { return {true, true, false}; }
   void apply(const CellStep<D>& step) override {
     const Grid<D>& grid = step.store.grid();
     for (std::uint32_t cell = 0; cell < grid.size(); ++cell) {
@@ -141,6 +141,18 @@ TEST(CellStage, CostsNoMemoryWhereThereIsNone) {
   const std::size_t bytes = dsmc.bytes();
   dsmc.step(0.1, 0);
   EXPECT_EQ(dsmc.bytes(), bytes);
+}
+
+/// Elsewhere they are without meaning.
+TEST(CellStage, FieldsAreFilledWhereTheyAreRead) {
+  ParticleStore<2> store(Grid<2>(Vector<2>(3, 1), {3, 1}));
+  store.assign({{{{0.5, 0.5}, {1, 2}}, {{1.5, 0.5}, {3, 4}}, {{2.5, 0.5}, {5, 6}}}, {}});
+  CellFields<2> fields;
+  const std::vector<std::uint8_t> where{0, 1, 1};
+  fields.update({.velocity = true, .where = where}, store);
+  ASSERT_EQ(fields.velocity.size(), 3U);
+  EXPECT_EQ(fields.velocity[1], Vector<2>(3, 4));
+  EXPECT_EQ(fields.velocity[2], Vector<2>(5, 6));
 }
 
 TEST(CellStage, EnergyIsThatOfTheParticles) {

@@ -1,10 +1,13 @@
 #include "sim/method/dsmc/collision_stage.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/method/dsmc/dense_pairs.hpp"
 #include "sim/method/dsmc/faulty_pairs.hpp"
 #include "sim/method/dsmc/fitted_pairs.hpp"
 #include "sim/method/dsmc/mixed_pairs.hpp"
 #include "sim/method/dsmc/rough_pairs.hpp"
+
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -21,20 +24,33 @@ void refuse_candidates(double candidates, std::uint32_t particles) {
 template <int D, class Rule>
 std::unique_ptr<CollisionStage<D>> make_kernel(const Parameters& parameters);
 
+namespace {
+/// Calls `make` with the pair rule of these parameters.
+template <int D, class Make>
+auto with_rule(const Parameters& parameters, Make make) {
+  const bool mixed = parameters.kinds.mixed(), dense = mixed && parameters.factor.formula != nullptr;
+  if (parameters.kinds.rough)
+    return dense ? make(std::type_identity<DensePairs<D, RoughPairs<D>>>{})
+                 : make(std::type_identity<RoughPairs<D>>{});
+  if (mixed)
+    return dense ? make(std::type_identity<DensePairs<D, MixedPairs<D>>>{})
+                 : make(std::type_identity<MixedPairs<D>>{});
+  if (parameters.impact.fitted()) return make(std::type_identity<FittedPairs<D>>{});
+  return make(std::type_identity<SmoothPairs<D>>{});
+}
+}  // namespace
+
 template <int D>
 std::unique_ptr<CollisionStage<D>> make_collision_stage(const Parameters& parameters) {
-  if (parameters.kinds.rough) return make_kernel<D, RoughPairs<D>>(parameters);
-  if (parameters.kinds.mixed()) return make_kernel<D, MixedPairs<D>>(parameters);
-  if (parameters.impact.fitted()) return make_kernel<D, FittedPairs<D>>(parameters);
-  return make_kernel<D, SmoothPairs<D>>(parameters);
+  return with_rule<D>(parameters,
+                      [&]<class Rule>(std::type_identity<Rule>) { return make_kernel<D, Rule>(parameters); });
 }
 
 template <int D>
 std::unique_ptr<CollisionStage<D>> make_faulty_collision_stage(const Parameters& parameters) {
-  if (parameters.kinds.rough) return make_kernel<D, FaultyPairs<D, RoughPairs<D>>>(parameters);
-  if (parameters.kinds.mixed()) return make_kernel<D, FaultyPairs<D, MixedPairs<D>>>(parameters);
-  if (parameters.impact.fitted()) return make_kernel<D, FaultyPairs<D, FittedPairs<D>>>(parameters);
-  return make_kernel<D, FaultyPairs<D, SmoothPairs<D>>>(parameters);
+  return with_rule<D>(parameters, [&]<class Rule>(std::type_identity<Rule>) {
+    return make_kernel<D, FaultyPairs<D, Rule>>(parameters);
+  });
 }
 
 template std::unique_ptr<CollisionStage<2>> make_collision_stage(const Parameters&);

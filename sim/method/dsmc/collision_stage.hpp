@@ -32,6 +32,8 @@ struct CollisionStep {
   std::uint64_t* bound_raised;            ///< collisions after which the bound on relative speeds had to rise
   const std::uint8_t* species = nullptr;  ///< of each particle; null where there is one only
   Spin<D>* spins = nullptr;               ///< null where particles do not spin
+  const double* contact = nullptr;        ///< of each cell and pair of species, see DensePairs; null without
+  double* clocks = nullptr;               ///< of each cell, see CellClocks; null without
 };
 
 /// Throws RunError where a cell expects more than a million candidates for each of its particles, or a number that is none:

@@ -24,6 +24,7 @@ Dsmc<D>::Dsmc(const LatticeOfCells<D>& cells, const Parameters& parameters,
       stages_(cells, this->periodic()) {
   if (parameters.count_by_species)
     tally_.by_species.resize(parameters.kinds.species.size() * parameters.kinds.species.size());
+  if (parameters.pair_count == PairCount::time_counter) clocks_.emplace(parameters.faults.clocks_forgotten);
   if (parameters.partners == Partners::contact)
     contact_ = std::make_unique<ContactPartners<D>>(parameters, cells.grid(), this->periodic());
   if (!parameters.excluded_volume.any()) return;
@@ -41,6 +42,9 @@ template <int D>
 void Dsmc<D>::take_in(const Particles<D>& particles) {
   CellSimulator<D>::assign(particles);
   make_factor(static_cast<double>(particles.phases.size()) + parameters_.poured);
+  // The stream of the step before all steps.
+  if (clocks_)
+    clocks_->start(store_.cells().size(), {streams_.seed, purpose_, streams_.replica, ~std::uint64_t{0}});
 }
 
 template <int D>
@@ -69,7 +73,8 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
   const StreamKey key(streams_.seed, purpose_, streams_.replica, step);
   if (excluded_) excluded_->mark(store_.offsets());
   stages_.apply(store_, key, step, dt);
-  if (factor_) factor_->update(store_.offsets(), excluded_ ? excluded_->full() : nullptr);
+  if (factor_) factor_->update(store_.offsets(), excluded_ ? excluded_->full() : nullptr, species());
+  if (clocks_) clocks_->begin_step(dt);
   const motion::MotionStep motion = this->motion_step(dt, step);
   const CollisionStep<D> collisions = collision_step(dt, key);
   if (excluded_ && excluded_->refuses()) {
@@ -103,8 +108,15 @@ CollisionStep<D> Dsmc<D>::collision_step(double dt, const StreamKey& key) {
           store_.offsets().data(),
           &tally_,
           &bound_raised_,
-          parameters_.kinds.mixed() ? store_.column(column::species).data() : nullptr,
-          parameters_.kinds.rough ? store_.column(column::spin<D>).data() : nullptr};
+          species(),
+          parameters_.kinds.rough ? store_.column(column::spin<D>).data() : nullptr,
+          factor_ ? factor_->contact_of_pairs() : nullptr,
+          clocks_ ? clocks_->values() : nullptr};
+}
+
+template <int D>
+const std::uint8_t* Dsmc<D>::species() {
+  return parameters_.kinds.mixed() ? store_.column(column::species).data() : nullptr;
 }
 
 template <int D>
@@ -167,6 +179,7 @@ Memory Dsmc<D>::save() const {
   if (const auto& shifted = store_.cells().shifted_cells())
     memory["dsmc/shift"] = {shifted->part().begin(), shifted->part().end()};
   if (excluded_) excluded_->save(memory);
+  if (clocks_) clocks_->save(memory);
   return memory;
 }
 
@@ -175,6 +188,7 @@ void Dsmc<D>::load(const Memory& memory) {
   CellSimulator<D>::load(memory);
   bound_raised_ = static_cast<std::uint64_t>(memory.at("dsmc/bound-raised").at(0));
   if (excluded_) excluded_->load(memory);
+  if (clocks_) clocks_->load(memory);
   if (memory.at("dsmc/window").at(0) != assigned_) make_factor(memory.at("dsmc/window").at(0));
 }
 
@@ -190,7 +204,8 @@ void Dsmc<D>::restore(const Particles<D>& particles, const Memory& memory) {
 template <int D>
 std::size_t Dsmc<D>::bytes() const {
   return CellSimulator<D>::bytes() + stages_.bytes() + (factor_ ? factor_->bytes() : 0) +
-         (excluded_ ? excluded_->bytes() : 0) + (contact_ ? contact_->bytes() : 0);
+         (excluded_ ? excluded_->bytes() : 0) + (contact_ ? contact_->bytes() : 0) +
+         (clocks_ ? clocks_->bytes() : 0);
 }
 
 template class Dsmc<2>;

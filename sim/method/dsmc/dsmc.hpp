@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/cell_simulator.hpp"
+#include "sim/method/dsmc/cell_clocks.hpp"
 #include "sim/method/dsmc/cell_stage.hpp"
 #include "sim/method/dsmc/collision_stage.hpp"
 #include "sim/method/dsmc/contact_partners.hpp"
@@ -45,6 +46,7 @@ class Dsmc final : public CellSimulator<D> {
   /// Displaces the cells; the particles arrive in those of the next step.
   void find_cells_of(std::uint64_t next_step);
   double impact_coefficient() const;
+  const std::uint8_t* species();  ///< of each particle; null where there is one only
   CollisionStep<D> collision_step(double dt, const StreamKey& key);
   void move(const motion::MotionStep& motion);
   /// Collides the cells and calls move(first cell, last cell) block by block.
@@ -59,6 +61,7 @@ class Dsmc final : public CellSimulator<D> {
   std::unique_ptr<CollisionStage<D>> collisions_;
   std::unique_ptr<ContactPartners<D>> contact_;  ///< instead of collisions_; null where partners share a cell
   std::optional<PairFactor<D>> factor_;
+  std::optional<CellClocks> clocks_;
   double assigned_ = 0;  ///< particles that the window of the pair factor was chosen for
   CellStages<D> stages_;
   std::unique_ptr<ExcludedVolumeOfCells<D>> excluded_;  ///< null where particles are points

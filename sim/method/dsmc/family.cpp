@@ -37,7 +37,9 @@ class Builder final : public MethodBuilder<D> {
   }
 
   double collision_rate(double temperature) const override {
-    if (parameters_.kinds.mixed()) return rate_of_points(scene_, temperature);
+    if (parameters_.kinds.mixed())
+      return parameters_.factor.formula == nullptr ? rate_of_points(scene_, temperature)
+                                                   : enskog_rate(scene_, temperature);
     const Species& species = scene_.species.front();
     const double contact =
         parameters_.factor.formula == nullptr ? 1 : parameters_.factor.formula(fraction(scene_)).value;
@@ -82,6 +84,7 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("random offset", parameters_.offset.random != 0);
     plan.feature("momentum carried by collisions (observer pressure)", parameters_.measure_transfer);
     plan.feature("pairs expected by chance", parameters_.pair_count == PairCount::expected);
+    plan.feature("clock of every cell", parameters_.pair_count == PairCount::time_counter);
     plan.feature("partners a diameter away", parameters_.partners == Partners::contact);
     plan.feature("excluded volume of cells", parameters_.excluded_volume.any());
     plan.feature("cells displaced at random", cells_.shifted_cells().has_value());
@@ -114,9 +117,16 @@ class Builder final : public MethodBuilder<D> {
     return static_cast<double>(particle_count(scene_)) * scene_.method.weight / volume(scene_.domain);
   }
 
+  /// Per cell: one window and factor; of a mixture, a window for each species and a factor for each pair.
+  double bytes_of_factor() const {
+    if (parameters_.factor.formula == nullptr) return 0;
+    const auto species = static_cast<double>(std::max<std::size_t>(parameters_.kinds.species.size(), 1));
+    return parameters_.kinds.mixed() ? 12 * species + 8 + 8 * species * species : 3 * 4 + 8;
+  }
+
   double bytes_per_particle(double particles) const {
-    const double per_cell = (parameters_.factor.formula != nullptr ? 8 + 3 * 4 + 8 : 8) +
-                            (parameters_.pair_count == PairCount::expected ? 44 : 0) +
+    const double per_cell = 8 + bytes_of_factor() + (parameters_.pair_count == PairCount::expected ? 44 : 0) +
+                            (parameters_.pair_count == PairCount::time_counter ? 8 : 0) +
                             (parameters_.partners == Partners::contact ? 4 + sizeof(VelocityBox<D>) : 0) +
                             (cells_.volumes().empty() ? 0 : 8 + 8);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
@@ -176,7 +186,7 @@ class Builder final : public MethodBuilder<D> {
 
   /// How to get more particles into a cell, or to do without.
   const char* remedy(bool wide) const {
-    if (parameters_.partners == Partners::contact)
+    if (parameters_.partners == Partners::contact || parameters_.kinds.mixed())
       return wide ? " by a lower 'method.weight'" : ", or lower 'method.weight'";
     return wide ? " by a lower 'method.weight', or pair-count = \"expected\""
                 : ", or pair-count = \"expected\"";

@@ -23,6 +23,10 @@ class FaultyPairs : public Rule {
     return square_speed > 0 &&
            Rule::accepts(columns, pair, square_speed, square_bound, uniform) != faults_.acceptance_inverted;
   }
+  double rate(const Columns& columns, const Pair& pair, double speed) const {
+    if (!faults_.time_of_other_pair) return Rule::rate(columns, pair, speed);
+    return Rule::rate(columns, {0, 1}, (columns.phases[0].velocity - columns.phases[1].velocity).norm());
+  }
   Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,
                     Random& random) const {
     Vector<D>& velocity_2 = columns.phases[pair.second].velocity;

@@ -16,8 +16,8 @@ class FittedPairs : public SmoothPairs<D> {
   explicit FittedPairs(const Parameters& parameters)
       : SmoothPairs<D>(parameters), restitution_(parameters.restitution) {}
 
-  Columns columns(const CollisionStep<D>& step, std::uint32_t first) const {
-    return {SmoothPairs<D>::columns(step, first), {step.impact_coefficient}};
+  Columns columns(const CollisionStep<D>& step, std::uint32_t cell) const {
+    return {SmoothPairs<D>::columns(step, cell), {step.impact_coefficient}};
   }
   Vector<D - 1> impact(const Columns& columns, Random& random) const {
     return columns.impact.draw(uniform_impact<D>(random));

@@ -7,27 +7,62 @@
 #include "sim/scene/method/capabilities.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sandglass::dsmc {
 
 namespace {
 const DsmcOptions& options_of(const Scene& scene) { return std::get<DsmcOptions>(scene.method.options); }
 
-Offset offset_of(const Scene& scene) {
-  const Species& species = scene.species.front();
-  const double d = species.diameter, r = species.restitution;
-  switch (options_of(scene).offset) {
-    case sandglass::Offset::none:
-      return {};
-    case sandglass::Offset::consistent:
-      return {d, 0};
-    // The offset carries m d r |c_n| a collision after the kick, hard cores carry m d (1 + r)/2 |c_n|.
-    case sandglass::Offset::corrected:
-      return {d * (1 + r) / (2 * r), 0};
-    case sandglass::Offset::random:
-      return {d, d * options_of(scene).random_offset};
+/// Of the first species; of several, that of a particle of mean area or volume.
+double mean_diameter(const Scene& scene) {
+  if (scene.species.size() == 1) return scene.species.front().diameter;
+  const int dimension = scene.domain.dimension;
+  double count = 0, sum = 0;
+  for (const Species& species : scene.species) {
+    const auto particles = static_cast<double>(particle_count(scene, species));
+    count += particles;
+    sum += particles * std::pow(species.diameter, dimension);
   }
-  return {};
+  return std::pow(sum / count, 1.0 / dimension);
+}
+
+/// Along the momentum change. The offset carries m d r |c_n| a collision after the kick, hard cores carry
+/// m d (1 + r)/2 |c_n|.
+double consistent_offset(const Scene& scene, double diameter, double restitution) {
+  if (options_of(scene).offset != sandglass::Offset::corrected) return diameter;
+  return diameter * (1 + restitution) / (2 * restitution);
+}
+
+Offset offset_of(const Scene& scene) {
+  if (options_of(scene).offset == sandglass::Offset::none) return {};
+  const double d = mean_diameter(scene);
+  return {consistent_offset(scene, d, scene.species.front().restitution),
+          d * options_of(scene).random_offset};
+}
+
+/// Kinds::offsets: partners of different width are displaced by their mean diameter.
+std::vector<double> offsets_of_pairs(const Scene& scene, const std::vector<Surface>& surfaces) {
+  std::vector<double> all;
+  const double unit = consistent_offset(scene, mean_diameter(scene), scene.species.front().restitution);
+  for (const Species& one : scene.species)
+    for (const Species& two : scene.species)
+      all.push_back(
+          consistent_offset(scene, (one.diameter + two.diameter) / 2, surfaces[all.size()].normal.value) /
+          unit);
+  return all;
+}
+
+PairCount pair_count_of(const DsmcOptions& options) {
+  switch (options.pair_count) {
+    case sandglass::PairCount::counted:
+      return PairCount::counted;
+    case sandglass::PairCount::expected:
+      return PairCount::expected;
+    case sandglass::PairCount::time_counter:
+      return PairCount::time_counter;
+  }
+  return PairCount::counted;
 }
 
 ExcludedVolume excluded_volume_of(int dimension, const DsmcOptions& options) {
@@ -45,7 +80,8 @@ ExcludedVolume excluded_volume_of(int dimension, const DsmcOptions& options) {
 
 Kinds kinds_of(const Scene& scene) {
   if (scene.species.size() < 2 && !is_rough(scene)) return {};
-  return {sandglass::traits_of(scene), surfaces_of(scene), is_rough(scene)};
+  const std::vector<Surface> surfaces = surfaces_of(scene);
+  return {sandglass::traits_of(scene), surfaces, is_rough(scene), offsets_of_pairs(scene, surfaces)};
 }
 }  // namespace
 
@@ -70,7 +106,7 @@ Parameters parameters_of(const Scene& scene) {
   const Species& species = scene.species.front();
   const DsmcOptions& options = options_of(scene);
   Parameters parameters;
-  parameters.diameter = species.diameter;
+  parameters.diameter = mean_diameter(scene);
   parameters.mass = species.mass;
   parameters.restitution = species.restitution;
   parameters.cross_section = cross_section(D, largest_diameter(scene));
@@ -80,10 +116,10 @@ Parameters parameters_of(const Scene& scene) {
   parameters.poured = static_cast<double>(poured_count(scene));
   parameters.excluded_volume = excluded_volume_of(D, options);
   parameters.impact.coefficient = {options.impact_coefficient.at, options.impact_coefficient.value};
-  if (options.pair_count == sandglass::PairCount::expected) parameters.pair_count = PairCount::expected;
+  parameters.pair_count = pair_count_of(options);
   if (options.partners == sandglass::Partners::contact) parameters.partners = Partners::contact;
   if (options.contact_factor == ContactFactor::local)
-    parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed};
+    parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed, D};
   return parameters;
 }
 

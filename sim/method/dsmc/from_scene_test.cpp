@@ -2,6 +2,9 @@
 
 #include "sim/base/error.hpp"
 
+#include <cmath>
+#include <string>
+
 #include <gtest/gtest.h>
 
 namespace sandglass::dsmc {
@@ -23,6 +26,29 @@ TEST(FromScene, CorrectedOffsetCarriesTheVirialOfHardCores) {
   choose(scene.method, "cba-corrected");
   const double length = parameters_of<2>(scene).offset.consistent;
   EXPECT_NEAR(length * 0.6, 0.9 * (1 + 0.6) / 2, 1e-14);
+}
+
+/// The same for each pair of species, whose restitution is the mean of both.
+TEST(FromScene, OffsetsOfAMixtureAreThoseOfItsPairs) {
+  Scene scene = box_of(30);
+  scene.species[0].restitution = 0.6;
+  scene.species.push_back(scene.species[0]);
+  scene.species[1].diameter = 3;
+  scene.species[1].restitution = 0.8;
+  for (const char* preset : {"cba", "cba-corrected"}) {
+    choose(scene.method, preset);
+    const bool corrected = preset != std::string("cba");
+    const Parameters parameters = parameters_of<2>(scene);
+    EXPECT_NEAR(parameters.diameter, std::sqrt((1 + 9) / 2.0), 1e-14);
+    const auto expect = [&](std::size_t pair, double diameter, double restitution) {
+      EXPECT_NEAR(parameters.kinds.offsets[pair] * parameters.offset.consistent,
+                  corrected ? diameter * (1 + restitution) / (2 * restitution) : diameter, 1e-13);
+    };
+    expect(0, 1, 0.6);
+    expect(1, 2, 0.7);
+    expect(2, 2, 0.7);
+    expect(3, 3, 0.8);
+  }
 }
 
 /// From one at freezing (disks 0.70, spheres 0.494) to zero in a full cell; the fall has a width in loose packings too.

@@ -25,11 +25,16 @@ FullCells<D>::FullCells(const Parameters& parameters, const LatticeOfCells<D>& c
 
 template <int D>
 void FullCells<D>::update(std::span<const std::uint32_t> offsets) {
-  any_ = false;
-  for (std::uint32_t cell = 0; cell + 1 < full_.size(); ++cell) {
-    full_[cell] = offsets[cell + 1] - offsets[cell] >= capacity(cell);
-    any_ |= full_[cell] != 0;
-  }
+  const auto mark = [offsets, full = std::span(full_)](auto capacity) {
+    std::uint8_t any = 0;
+    for (std::uint32_t cell = 0; cell + 1 < full.size(); ++cell) {
+      full[cell] = offsets[cell + 1] - offsets[cell] >= capacity(cell);
+      any |= full[cell];
+    }
+    return any != 0;
+  };
+  any_ = volumes_.empty() ? mark([whole = whole_](std::uint32_t) { return whole; })
+                          : mark([this](std::uint32_t cell) { return capacity(cell); });
 }
 
 template class FullCells<2>;

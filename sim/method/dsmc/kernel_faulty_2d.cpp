@@ -1,6 +1,7 @@
-#include "sim/method/dsmc/collision_kernel.hpp"
+#include "sim/method/dsmc/dense_pairs.hpp"
 #include "sim/method/dsmc/faulty_pairs.hpp"
 #include "sim/method/dsmc/fitted_pairs.hpp"
+#include "sim/method/dsmc/make_kernel.hpp"
 #include "sim/method/dsmc/mixed_pairs.hpp"
 #include "sim/method/dsmc/rough_pairs.hpp"
 
@@ -9,6 +10,10 @@ namespace sandglass::dsmc {
 template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, SmoothPairs<2>>>(const Parameters&);
 template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, FittedPairs<2>>>(const Parameters&);
 template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, MixedPairs<2>>>(const Parameters&);
+template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, DensePairs<2, MixedPairs<2>>>>(
+    const Parameters&);
 template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, RoughPairs<2>>>(const Parameters&);
+template std::unique_ptr<CollisionStage<2>> make_kernel<2, FaultyPairs<2, DensePairs<2, RoughPairs<2>>>>(
+    const Parameters&);
 
 }  // namespace sandglass::dsmc

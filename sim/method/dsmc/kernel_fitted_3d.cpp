@@ -1,5 +1,5 @@
-#include "sim/method/dsmc/collision_kernel.hpp"
 #include "sim/method/dsmc/fitted_pairs.hpp"
+#include "sim/method/dsmc/make_kernel.hpp"
 
 namespace sandglass::dsmc {
 

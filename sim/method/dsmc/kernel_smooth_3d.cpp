@@ -1,4 +1,4 @@
-#include "sim/method/dsmc/collision_kernel.hpp"
+#include "sim/method/dsmc/make_kernel.hpp"
 #include "sim/method/dsmc/smooth_pairs.hpp"
 
 namespace sandglass::dsmc {

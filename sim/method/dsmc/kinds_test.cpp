@@ -75,7 +75,7 @@ motion::MotionParameters<D> between_walls(const WallRule& rule) {
 /// Perfectly rough elastic pairs and walls keep the energy of two species that spin, and exchange its parts.
 template <int D>
 void expect_energy() {
-  const Kinds kinds{{{1, 1, 0.1}, {2, 3, 0.7}}, std::vector<Surface>(4, Surface{{1}, 1}), true};
+  const Kinds kinds{{{1, 1, 0.1}, {2, 3, 0.7}}, std::vector<Surface>(4, Surface{{1}, 1}), true, {}};
   Dsmc<D> dsmc = gas<D>(kinds, between_walls<D>({WallKind::specular, {{1}, 1}}));
   dsmc.assign(start<D>(true, 2));
   const Energies before = energies(dsmc);
@@ -95,7 +95,7 @@ TEST(Kinds, RoughWallsAndPairsKeepTheEnergy) {
 /// Between thermal walls smooth pairs never touch the spins; walls give them their temperature. Statistical: 5 standard
 /// errors of the mean of 2000 particles with three components.
 TEST(Kinds, ThermalWallsTurnParticles) {
-  const Kinds kinds{{{1, 1, 0.1}}, {Surface{{1}, 0, 0}}, true};
+  const Kinds kinds{{{1, 1, 0.1}}, {Surface{{1}, 0, 0}}, true, {}};
   Dsmc<3> dsmc = gas<3>(kinds, between_walls<3>({WallKind::thermal, {}, 1, 2}));
   dsmc.assign(start<3>(true, 1));
   for (std::uint64_t step = 0; step < 3000; ++step) dsmc.step(0.1, step);
@@ -104,7 +104,7 @@ TEST(Kinds, ThermalWallsTurnParticles) {
 
 /// Smooth elastic walls give what they take, by the mass of each particle; nobody collides.
 TEST(Kinds, WallsWeighTheSpecies) {
-  const Kinds kinds{{{1, 1, 0}, {1, 5, 0}}, std::vector<Surface>(4, Surface{}), false};
+  const Kinds kinds{{{1, 1, 0}, {1, 5, 0}}, std::vector<Surface>(4, Surface{}), false, {}};
   auto motion = between_walls<2>({});
   WallImpulses<2> impulses;
   motion.impulses = &impulses;
@@ -120,7 +120,7 @@ TEST(Kinds, WallsWeighTheSpecies) {
 
 /// Stopped and gone on from its particles, the gas is bit for bit where the uninterrupted one is.
 TEST(Kinds, GoOnAfterARestart) {
-  const Kinds kinds{{{1, 1, 0.1}, {2, 3, 0.7}}, std::vector<Surface>(4, Surface{{0.8}, 0.3, 0.2}), true};
+  const Kinds kinds{{{1, 1, 0.1}, {2, 3, 0.7}}, std::vector<Surface>(4, Surface{{0.8}, 0.3, 0.2}), true, {}};
   const auto motion = between_walls<3>({WallKind::specular, {{0.9}, 0}});
   Dsmc<3> whole = gas<3>(kinds, motion);
   whole.assign(start<3>(true, 2));

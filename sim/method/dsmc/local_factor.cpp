@@ -12,7 +12,7 @@ LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const La
       smoothed_(parameters.factor.smoothed),
       fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) /
                              cells.grid().cell_volume()),
-      densest_(D == 2 ? M_PI / std::sqrt(12.0) : M_PI / std::sqrt(18.0)),
+      densest_(densest_fraction(D)),
       window_(cells, periodic, particles / cells.grid().size(), smoothed_ ? window_particles(parameters) : 0),
       factor_(cells.size()) {}
 

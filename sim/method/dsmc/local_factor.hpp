@@ -15,6 +15,9 @@ inline double particle_volume(int dimension, double diameter) {
   return dimension == 2 ? M_PI / 4 * diameter * diameter : M_PI / 6 * std::pow(diameter, 3);
 }
 
+/// Close packing: no formula is asked for more.
+inline double densest_fraction(int dimension) { return M_PI / std::sqrt(dimension == 2 ? 12.0 : 18.0); }
+
 /// Particles that a window holds at least. It scatters less than chance where offsets or partners at contact push particles
 /// apart, which takes about one in its number from the rate: where little else is missing, a larger one is worth it.
 constexpr double kWindow = 100, kLargeWindow = 400;

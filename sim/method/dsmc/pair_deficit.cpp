@@ -2,6 +2,7 @@
 
 #include "sim/method/dsmc/expected_pairs.hpp"
 #include "sim/method/dsmc/local_factor.hpp"
+#include "sim/physics/collision.hpp"
 
 #include <algorithm>
 
@@ -67,7 +68,8 @@ double expected_pair_deficit(int dimension, const Parameters& parameters, double
   const double edge = std::pow(particles_per_cell * parameters.weight / number_density, 1.0 / dimension);
   if (contact_partners)
     return of_surroundings(dimension, slope, edge / parameters.diameter, particles_per_cell) + scatter;
-  const double path = 1 / (M_SQRT2 * number_density * parameters.cross_section * contact);
+  const double path =
+      1 / (M_SQRT2 * number_density * cross_section(dimension, parameters.diameter) * contact);
   return weight_of_missing_pairs(path / offset) * of_cell(missing, offset, path, edge, particles_per_cell) +
          scatter;
 }

@@ -6,7 +6,12 @@ template <int D>
 PairFactor<D>::PairFactor(const Parameters& parameters, const LatticeOfCells<D>& cells,
                           const std::array<bool, D>& periodic, double particles)
     : volumes_(cells.volumes()) {
-  if (parameters.factor.formula != nullptr) contact_.emplace(parameters, cells, periodic, particles);
+  if (parameters.factor.formula != nullptr) {
+    if (parameters.kinds.mixed())
+      mixture_.emplace(parameters, cells, periodic, particles);
+    else
+      contact_.emplace(parameters, cells, periodic, particles);
+  }
   if (parameters.pair_count == PairCount::expected) expected_.emplace(parameters, cells, periodic, particles);
   if (expected_ || !volumes_.empty()) product_.resize(cells.size());
 }
@@ -14,15 +19,18 @@ PairFactor<D>::PairFactor(const Parameters& parameters, const LatticeOfCells<D>&
 template <int D>
 void PairFactor<D>::update_volumes() {
   if (contact_) contact_->set_volumes(volumes_);
+  if (mixture_) mixture_->set_volumes(volumes_);
   if (expected_) expected_->set_volumes(volumes_);
 }
 
 template <int D>
-void PairFactor<D>::update(std::span<const std::uint32_t> offsets, const std::uint8_t* full) {
+void PairFactor<D>::update(std::span<const std::uint32_t> offsets, const std::uint8_t* full,
+                           const std::uint8_t* species) {
   if (contact_) contact_->update(offsets, full);
+  if (mixture_) mixture_->update(offsets, species);
   if (expected_) expected_->update(offsets);
   for (std::uint32_t cell = 0; cell < product_.size(); ++cell) {
-    const double contact = contact_ ? contact_->values()[cell] : 1;
+    const double contact = this->contact() != nullptr ? this->contact()[cell] : 1;
     product_[cell] = expected_ ? contact * expected_->factor(cell, contact) : contact;
     if (!volumes_.empty()) product_[cell] /= volumes_[cell];
   }
@@ -30,8 +38,8 @@ void PairFactor<D>::update(std::span<const std::uint32_t> offsets, const std::ui
 
 template <int D>
 std::size_t PairFactor<D>::bytes() const {
-  return (contact_ ? contact_->bytes() : 0) + (expected_ ? expected_->bytes() : 0) +
-         product_.capacity() * sizeof(double);
+  return (contact_ ? contact_->bytes() : 0) + (mixture_ ? mixture_->bytes() : 0) +
+         (expected_ ? expected_->bytes() : 0) + product_.capacity() * sizeof(double);
 }
 
 template class PairFactor<2>;

@@ -2,6 +2,7 @@
 
 #include "sim/method/dsmc/expected_pairs.hpp"
 #include "sim/method/dsmc/local_factor.hpp"
+#include "sim/method/dsmc/mixture_factor.hpp"
 
 #include <optional>
 
@@ -22,13 +23,22 @@ class PairFactor {
 
   /// The volumes have changed.
   void update_volumes();
-  /// `offsets` as of ParticleStore; `full` as of LocalContactFactor.
-  void update(std::span<const std::uint32_t> offsets, const std::uint8_t* full = nullptr);
-  const double* values() const { return product_.empty() ? contact_->values() : product_.data(); }
+  /// `offsets` as of ParticleStore; `full` as of LocalContactFactor; `species` of each particle, where there are several.
+  void update(std::span<const std::uint32_t> offsets, const std::uint8_t* full = nullptr,
+              const std::uint8_t* species = nullptr);
+  const double* values() const { return product_.empty() ? contact() : product_.data(); }
+  /// As of CollisionStep::contact.
+  const double* contact_of_pairs() const { return mixture_ ? mixture_->shares() : nullptr; }
   std::size_t bytes() const;
 
  private:
+  /// Null without a contact factor; of a mixture, the largest of each cell.
+  const double* contact() const {
+    return contact_ ? contact_->values() : mixture_ ? mixture_->values() : nullptr;
+  }
+
   std::optional<LocalContactFactor<D>> contact_;
+  std::optional<MixtureContactFactor<D>> mixture_;  ///< instead of contact_
   std::optional<ExpectedPairs<D>> expected_;
   std::span<const double> volumes_;  ///< as of LatticeOfCells
   std::vector<double> product_;      ///< empty where there is but a contact factor

@@ -1,7 +1,8 @@
+#include "sim/method/dsmc/pair_rule.hpp"
+
 #include "sim/base/statistics.hpp"
 #include "sim/method/dsmc/collision_kernel.hpp"
 #include "sim/method/dsmc/test_cells.hpp"
-#include "sim/physics/collision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace sandglass::dsmc {
 namespace {
 
 /// Diameter and mass are one plus position[0], which is 0 or 1. Cross-sections in units of that of two small disks.
-class TwoSizes {
+class TwoSizes : public PairRule<2> {
  public:
   struct Columns {
     Phase<2>* phases;
@@ -19,13 +20,10 @@ class TwoSizes {
   };
   explicit TwoSizes(const Parameters& parameters) : restitution_(parameters.restitution) {}
 
-  Columns columns(const CollisionStep<2>& step, std::uint32_t first) const {
-    return {step.particles + first};
+  Columns columns(const CollisionStep<2>& step, std::uint32_t cell) const {
+    return {step.particles + step.offsets[cell]};
   }
   double bound(const Columns&, std::uint32_t, double speed) const { return 2 * speed; }  // two large disks
-  std::uint64_t whole(double expected, Random& random) const {
-    return static_cast<std::uint64_t>(expected + random.uniform());
-  }
   bool accepts(const Columns& columns, const Pair& pair, double square_speed, double square_bound,
                double uniform) const {
     const double width = 0.5 * (columns.size(pair.first) + columns.size(pair.second));
@@ -39,6 +37,7 @@ class TwoSizes {
     columns.phases[pair.second].velocity -= mass_1 * kick;
     return mass_2 * kick;
   }
+  double rate(const Columns&, const Pair&, double speed) const { return speed; }
   double transfer(const Columns&, const Pair&, const Vector<2>&) const { return 0; }
 
  private:

@@ -22,11 +22,13 @@ struct Offset {
 struct LocalFactor {
   ContactFormula formula = nullptr;
   bool smoothed = true;  ///< from a window of cells without the pair itself; else from the cell's own count
+  int dimension = 0;     ///< of the formula for a mixture
 };
 
 /// What candidates come from. counted: the pairs that each cell holds. expected: as many as chance would put into cells of
-/// the local density; see ExpectedPairs.
-enum class PairCount { counted, expected };
+/// the local density; see ExpectedPairs. time_counter: pairs collide until the clock of the cell has passed the step; see
+/// TimeCounterKernel.
+enum class PairCount { counted, expected, time_counter };
 
 /// Excluded volume on the level of cells (hybrid simulation Monte Carlo, Mueller 2001). Absent where `densest` is 0.
 struct ExcludedVolume {
@@ -51,6 +53,7 @@ struct Kinds {
   std::vector<SpeciesTraits> species;
   std::vector<Surface> surfaces;  ///< of species a with species b at [a * species.size() + b]
   bool rough = false;             ///< particles have spin
+  std::vector<double> offsets;    ///< of each such pair in units of Parameters::offset; empty: all 1
   bool any() const { return !species.empty(); }
   bool mixed() const { return species.size() > 1; }
 };
@@ -64,21 +67,25 @@ struct Faults {
   bool fraction_truncated = false;  ///< drops the fractional candidate
   bool spins_reversed = false;      ///< a collision changes spins the wrong way round
   bool first_reduced_mass = false;  ///< every pair has the reduced mass of two particles of the first species
+  bool time_of_other_pair = false;  ///< a collision sets the clock forward by the time of another pair
+  bool clocks_forgotten = false;    ///< clocks start every step anew
   double expected_pairs = 1;        ///< factor on the pairs that PairCount::expected puts into a cell
   bool speeds_forgotten = false;    ///< PairCount::expected takes missing pairs for average ones
   double heat_share = 1;            ///< of the energy that collisions of cells take, given back
   bool colours_fixed = false;       ///< the checkerboard of full cells does not swap
   bool room_updated = false;        ///< a cell fills up as its particles arrive, in the order of work
+  bool contact_of_largest = false;  ///< every pair of species has the largest contact factor of them
   double reach = 1;                 ///< factor on the distance at which Partners::contact looks
   double contact_place = 0.5;  ///< where on the line of centres Partners::contact reads the contact value
   /// Of the collision kernel within cells; the others are those of their owners.
   bool any() const {
     return bound != 1 || momentum_leak != 0 || impact != 1 || acceptance_inverted || fraction_truncated ||
-           spins_reversed || first_reduced_mass;
+           spins_reversed || first_reduced_mass || time_of_other_pair;
   }
 };
 
-/// Everything that the DSMC kernel must know about the particles. Diameter, mass and restitution are those of one species.
+/// Everything that the DSMC kernel must know about the particles. Mass and restitution are those of one species, the diameter
+/// is: of several, that of a particle of mean area or volume, which estimates need.
 struct Parameters {
   double diameter = 1;
   double mass = 1;

@@ -41,6 +41,10 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](P p, int) { p.faults.momentum_leak = 1e-6; }},
       {{"impact-parameter-central", "impact parameters 10% too small"},
        [](P p, int) { p.faults.impact = 0.9; }},
+      {{"time-of-other-pair", "a collision sets the clock of its cell forward by the time of another pair"},
+       [](P p, int) { p.faults.time_of_other_pair = true; }},
+      {{"clocks-forgotten", "clocks of the cells start every step anew"},
+       [](P p, int) { p.faults.clocks_forgotten = true; }},
       {{"spins-reversed", "collisions change spins the wrong way round"},
        [](P p, int) { p.faults.spins_reversed = true; }},
       {{"tangential-restitution-flipped", "tangential restitution with the wrong sign"},
@@ -64,7 +68,12 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](P p, int) { p.offset.consistent *= 2; }},
       {{"contact-factor-dropped", "contact factor left out"}, [](P p, int) { p.factor.formula = nullptr; }},
       {{"contact-factor-of-other-dimension", "contact factor of spheres for disks and of disks for spheres"},
-       [](P p, int dimension) { p.factor.formula = contact_formula(dimension == 2 ? 3 : 2); }},
+       [](P p, int dimension) {
+         p.factor.dimension = dimension == 2 ? 3 : 2;
+         p.factor.formula = contact_formula(p.factor.dimension);
+       }},
+      {{"contact-value-of-larger-species", "every pair has the contact factor of the largest species"},
+       [](P p, int) { p.faults.contact_of_largest = true; }},
       {{"density-from-cell-count", "contact factor from the cell's own count"},
        [](P p, int) { p.factor.smoothed = false; }},
       {{"expected-pairs-doubled", "twice the pairs that chance puts into a cell"},

@@ -12,7 +12,7 @@ Parameters rough(int dimension, const Surface& surface) {
   Parameters parameters;
   const double inertia =
       dimension == 2 ? 1.0 / 8 : 1.0 / 10;  // full disk and sphere of diameter and mass one
-  parameters.kinds = {{{1, 1, inertia}}, {surface}, true};
+  parameters.kinds = {{{1, 1, inertia}}, {surface}, true, {}};
   parameters.cross_section = cross_section(dimension, 1);
   parameters.restitution = surface.normal.value;
   return parameters;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "sim/method/dsmc/collision_stage.hpp"
-#include "sim/physics/collision.hpp"
+#include "sim/method/dsmc/pair_rule.hpp"
 
 namespace sandglass::dsmc {
 
@@ -9,7 +8,7 @@ namespace sandglass::dsmc {
 /// does to them. This one: smooth particles of one species. Another rule (MixedPairs, RoughPairs) is a class with the same
 /// members and a line in collision_stage.cpp; all the rest of the kernel is shared.
 template <int D>
-class SmoothPairs {
+class SmoothPairs : public PairRule<D> {
  public:
   /// Columns that the rule reads and changes, from the first particle of a cell on.
   struct Columns {
@@ -19,23 +18,19 @@ class SmoothPairs {
   explicit SmoothPairs(const Parameters& parameters)
       : restitution_(parameters.restitution), mass_(parameters.mass) {}
 
-  Columns columns(const CollisionStep<D>& step, std::uint32_t first) const {
-    return {step.particles + first};
+  Columns columns(const CollisionStep<D>& step, std::uint32_t cell) const {
+    return {step.particles + step.offsets[cell]};
   }
 
   /// What candidates are drawn for: at least relative speed times cross-section of any pair among `count` particles of a
   /// cell, in units of that of CollisionStep::coefficient, where no relative speed is above `speed`.
   double bound(const Columns&, std::uint32_t, double speed) const { return speed; }
-  /// Whole candidates of an expected number: the fraction is one more candidate with that probability.
-  std::uint64_t whole(double expected, Random& random) const {
-    return static_cast<std::uint64_t>(expected + random.uniform());
-  }
   /// Whether a candidate collides: with probability |c| sigma_12 over the bound.
   bool accepts(const Columns&, const Pair&, double square_speed, double square_bound, double uniform) const {
     return uniform * uniform * square_bound < square_speed;
   }
-  /// Impact parameter in diameters, for rules that draw it in another way than collide() does.
-  Vector<D - 1> impact(const Columns&, Random& random) const { return uniform_impact<D>(random); }
+  /// Speed times cross-section of a pair, in the units of bound().
+  double rate(const Columns&, const Pair&, double speed) const { return speed; }
   /// Changes both particles and returns the change of the first velocity along the line of centres. `relative` is
   /// v_1 - v_2.
   Vector<D> collide(const Columns& columns, const Pair& pair, const Vector<D>& relative, double square_speed,
@@ -52,10 +47,10 @@ class SmoothPairs {
     SmoothInelastic{restitution_}(velocity, columns.phases[pair.second].velocity, normal);
     return velocity - before;
   }
-  /// Sum over both partners of m v' . displacement when they move by +-`displacement`.
-  double transfer(const Columns& columns, const Pair& pair, const Vector<D>& displacement) const {
+  /// Sum over both partners of m v' . displacement where displace() moves them.
+  double transfer(const Columns& columns, const Pair& pair, const Vector<D>& shift) const {
     const Phase<D>&one = columns.phases[pair.first], &two = columns.phases[pair.second];
-    return mass_ * (one.velocity - two.velocity).dot(displacement);
+    return mass_ * (one.velocity - two.velocity).dot(shift);
   }
 
  private:

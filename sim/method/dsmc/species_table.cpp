@@ -24,7 +24,8 @@ SpeciesTable<D>::SpeciesTable(const Parameters& parameters) : species_(parameter
           parameters.faults.first_reduced_mass ? species.front().mass : 2 / (1 / mass_1 + 1 / mass_2);
       pairs_.push_back({section(D, widths_[a], widths_[b]),
                         parameters.kinds.surfaces[a * species_ + b].normal.value, twice_reduced / mass_1,
-                        twice_reduced / mass_2});
+                        twice_reduced / mass_2, twice_reduced,
+                        parameters.kinds.offsets.empty() ? 1 : parameters.kinds.offsets[a * species_ + b]});
     }
 }
 

@@ -12,6 +12,8 @@ struct PairOfSpecies {
   double restitution;
   double share_1,
       share_2;  ///< twice the reduced mass over the mass of the first and the second: 1 for equal masses
+  double twice_reduced_mass;
+  double offset;  ///< in units of Parameters::offset
 };
 
 /// All pairs of the species of a mixture.
@@ -21,6 +23,7 @@ class SpeciesTable {
   explicit SpeciesTable(const Parameters& parameters);
 
   std::size_t index(std::uint8_t first, std::uint8_t second) const { return first * species_ + second; }
+  std::size_t pairs() const { return pairs_.size(); }
   const PairOfSpecies& pair(std::size_t index) const { return pairs_[index]; }
   /// Largest cross-section of a pair among these particles, at least two: that of the two widest.
   double largest(const std::uint8_t* species, std::uint32_t count) const;

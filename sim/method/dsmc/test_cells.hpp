@@ -13,6 +13,8 @@ struct TestCells {
   std::vector<std::uint32_t> offsets{0};
   std::vector<std::uint8_t> species;  ///< empty: one
   std::vector<Spin<D>> spins;         ///< empty: smooth
+  std::vector<double> contact;        ///< empty: none
+  std::vector<double> clocks;         ///< empty: none
   Tally tally;
   std::uint64_t bound_raised = 0;
 
@@ -33,7 +35,9 @@ struct TestCells {
             &tally,
             &bound_raised,
             species.empty() ? nullptr : species.data(),
-            spins.empty() ? nullptr : spins.data()};
+            spins.empty() ? nullptr : spins.data(),
+            contact.empty() ? nullptr : contact.data(),
+            clocks.empty() ? nullptr : clocks.data()};
   }
   void collide(const CollisionStage<D>& stage, double coefficient, std::uint64_t number) {
     stage.collide(step(coefficient, number), 0, size());

@@ -29,7 +29,7 @@ Guard guard_of(const Method& method) {
 bool loses_pairs(const Scene& scene) {
   const auto get = [](const auto& options) -> decltype(options.pair_count == PairCount::counted) {
     return options.partners == Partners::contact ||
-           (options.offset != Offset::none && options.pair_count == PairCount::counted);
+           (options.offset != Offset::none && options.pair_count != PairCount::expected);
   };
   return choice(scene.method, false, get);
 }

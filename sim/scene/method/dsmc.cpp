@@ -27,7 +27,9 @@ const Words<Offset>& offset_words() {
 }
 
 const Words<PairCount>& pair_count_words() {
-  static const Words<PairCount> words = {{"counted", PairCount::counted}, {"expected", PairCount::expected}};
+  static const Words<PairCount> words = {{"counted", PairCount::counted},
+                                         {"expected", PairCount::expected},
+                                         {"time-counter", PairCount::time_counter}};
   return words;
 }
 
@@ -87,6 +89,14 @@ void check_corrected_offset(const Scene& scene, Diagnostics& diagnostics) {
   }
 }
 
+void check_time_counter(const DsmcOptions& dsmc, Diagnostics& diagnostics) {
+  if (dsmc.pair_count != PairCount::time_counter || dsmc.lattice != CellLattice::shifted) return;
+  diagnostics.report(
+      "method.pair-count",
+      "'method.pair-count' must not be \"time-counter\" with lattice = \"shifted\": a clock is "
+      "that of particles which stay in its cell for some steps");
+}
+
 void check(const Scene& scene, Diagnostics& diagnostics) {
   const DsmcOptions& dsmc = std::get<DsmcOptions>(scene.method.options);
   if (dsmc.density != DensityEstimate::smoothed && dsmc.contact_factor == ContactFactor::none)
@@ -105,6 +115,7 @@ void check(const Scene& scene, Diagnostics& diagnostics) {
         "method",
         "with a [[source]] the number of particles changes, and the cells cannot follow from that at "
         "the start: give 'method.cells' or 'method.cell-size'");
+  check_time_counter(dsmc, diagnostics);
   check_partners(scene, dsmc, diagnostics);
   check_kinds(scene, dsmc, diagnostics);
 }
@@ -164,6 +175,8 @@ MethodFamily make_family() {
   family.can.varying_number = true;
   family.presets = {
       preset("dsmc", "dilute gas: point-like collisions inside a cell", ContactFactor::none, Offset::none),
+      preset("dsmc-bird", "dsmc by time counter: pairs of a cell collide until its clock has passed the step",
+             ContactFactor::none, Offset::none, PairCount::time_counter),
       preset("dsmc-enskog", "collision rate raised by the contact value of the local density, no offset",
              ContactFactor::local, Offset::none),
       preset("cba",

@@ -21,7 +21,7 @@ void check_choices(const DsmcOptions& dsmc, Diagnostics& diagnostics) {
   allow(dsmc.offset == Offset::none, "offset", "none",
         "partners stand a diameter apart, and an offset would carry their momentum twice");
   allow(dsmc.pair_count == PairCount::counted, "pair-count", "counted",
-        "without an offset no pairs leave a cell");
+        "candidates are particles with a direction, not pairs of a cell");
   allow(dsmc.excluded_volume == ExcludedVolume::none, "excluded-volume", "none",
         "full cells would collide as a whole and through their particles too");
   allow(dsmc.impact == ImpactDistribution::uniform, "impact", "uniform",

@@ -17,8 +17,8 @@ class Choices {
     const std::string path = std::string("method.") + key;
     if (allowed || reported_ || !diagnostics_.clean(path)) return;
     reported_ = true;
-    diagnostics_.report(path, fmt::format("'{}' must be \"{}\" with {}: {}; use the method 'dsmc' or "
-                                          "'event-driven'",
+    diagnostics_.report(path, fmt::format("'{}' must be \"{}\" with {}: {}; use the method 'dsmc', 'cba' "
+                                          "or 'event-driven'",
                                           path, word, particles_, reason));
   }
 
@@ -29,13 +29,8 @@ class Choices {
 };
 
 void check_mixture(const Scene& scene, const DsmcOptions& dsmc, Choices& choices, Diagnostics& diagnostics) {
-  choices.allow(
-      dsmc.contact_factor == ContactFactor::none, "contact-factor", "none",
-      "the contact value of a mixture differs from pair to pair of species, and a cell has but one");
-  choices.allow(dsmc.offset == Offset::none, "offset", "none",
-                "an offset of one diameter is that of one species");
-  choices.allow(dsmc.pair_count == PairCount::counted, "pair-count", "counted",
-                "without an offset no pairs leave a cell");
+  choices.allow(dsmc.pair_count != PairCount::expected, "pair-count", "counted",
+                "the pairs that chance would put into a cell are those of one species");
   if (!scene.sources.empty() && diagnostics.clean("source"))
     diagnostics.report("source", "'source' pours one species: remove it or the further [[species]]");
   if (scene.initial.positions == Positions::barometric && diagnostics.clean("initial.positions"))

@@ -28,13 +28,12 @@ class Mixture : public testing::TestWithParam<BadEdit> {};
 TEST_P(Mixture, RefusesWhatCannotBe) { expect_refused(mixture, GetParam()); }
 
 const std::vector<BadEdit> mixture_edits = {
-    {"contact_value",
+    {"expected_pairs",
      "time-step",
-     "contact-factor = \"local\"\ntime-step",
-     "15:18",
-     {"must be \"none\" with several species", "pair to pair", "'event-driven'"}},
-    {"offset", "time-step", "offset = \"consistent\"\ntime-step", "15:10", {"with several species"}},
-    {"expected_pairs", "time-step", "pair-count = \"expected\"\ntime-step", "15:14", {"\"counted\""}},
+     "pair-count = \"expected\"\ntime-step",
+     "15:14",
+     {"must be \"counted\" with several species", "'event-driven'"}},
+    {"partners", "time-step", "partners = \"contact\"\ntime-step", "15:12", {"of one species"}},
     {"full_cells", "time-step", "excluded-volume = \"cells\"\ntime-step", "15:19", {"collide as a whole"}},
     {"fitted",
      "time-step",
@@ -50,7 +49,22 @@ const std::vector<BadEdit> mixture_edits = {
 
 INSTANTIATE_TEST_SUITE_P(Edits, Mixture, testing::ValuesIn(mixture_edits), edit_name);
 
-TEST(Mixture, IsTaken) { EXPECT_EQ(read_scene_text(mixture, "scene.toml").species.size(), 2u); }
+TEST(Mixture, IsTaken) {
+  for (const char* preset : {"dsmc", "dsmc-bird", "dsmc-enskog", "cba", "cba-corrected", "cuba"}) {
+    std::string text = mixture;
+    text.replace(text.find("\"dsmc\""), 6, '"' + std::string(preset) + '"');
+    EXPECT_EQ(read_scene_text(text, "scene.toml").species.size(), 2u) << preset;
+  }
+}
+
+TEST(TimeCounter, NeedsCellsThatStay) {
+  const BadEdit edit{"shifted",
+                     "preset = \"dsmc\"",
+                     "preset = \"dsmc-bird\"\nlattice = \"shifted\"",
+                     "13:1",
+                     {"must not be \"time-counter\" with lattice = \"shifted\""}};
+  expect_refused(mixture, edit);
+}
 
 TEST(RoughParticles, GoWithContactValueAndOffset) {
   std::string rough = mixture;

@@ -14,8 +14,9 @@ namespace sandglass {
 enum class ContactFactor { none, local };
 enum class DensityEstimate { smoothed, cell };
 enum class Offset { none, consistent, corrected, random };
-/// What candidates come from: the pairs that a cell holds, or those that chance would put there.
-enum class PairCount { counted, expected };
+/// What candidates come from: the pairs that a cell holds, or those that chance would put there. time_counter: pairs of a
+/// cell collide until its clock has passed the step (Bird 1976).
+enum class PairCount { counted, expected, time_counter };
 
 /// cells: none takes in more than the densest packing, and full ones collide as a whole (HSMC, Mueller 2001).
 enum class ExcludedVolume { none, cells };

@@ -53,8 +53,9 @@ void read_time_step(Table& table, TimeStep& time_step) {
   inner.read("collisions-per-particle", time_step.collisions);
   inner.read("cell-fraction", time_step.cell_fraction);
   if (!inner.has("collisions-per-particle") && !inner.has("cell-fraction"))
-    inner.report_missing("collisions-per-particle",
-                         "collisions of a particle in one step, for example 0.1; or give 'cell-fraction'");
+    table.refuse("time-step",
+                 "is a table without what a step follows from; give { collisions-per-particle = 0.1 } or "
+                 "{ cell-fraction = 0.5 }, or a time: time-step = 0.1");
   inner.finish();
 }
 }  // namespace

@@ -52,7 +52,7 @@ class SourceRules {
     if (source_.velocity.empty() || !diagnostics_.clean(path)) return;
     if (!check_length(diagnostics_, path, source_.velocity.size(), scene_.domain.dimension)) return;
     for (std::size_t axis = 0; axis < source_.velocity.size(); ++axis)
-      check_bounds(diagnostics_, item_path(path, axis), source_.velocity[axis], finite());
+      check_bounds(diagnostics_, item_path(path, axis), source_.velocity[axis], speed());
   }
 
   /// Above a pile: there must be an up and something that piles up.
@@ -123,10 +123,20 @@ class SourceRules {
 
   double reach(std::size_t i) const { return source_.width.empty() ? 0 : source_.width[i] / 2; }
 
-  /// How far a vibrating wall comes into the box.
+  /// Until it has poured all; zero where the scene does not say when that is.
+  double pouring_time() const {
+    double end = duration_of(scene_);
+    if (source_.count) end = std::min(end, static_cast<double>(*source_.count) / source_.rate);
+    return std::isfinite(end) ? end : 0;
+  }
+
+  /// How far a moving wall comes into the box while the source pours.
   double swing(std::size_t axis, bool high) const {
-    for (const Wall& wall : scene_.walls)
-      if (wall.axis == static_cast<int>(axis) && wall.high == high) return wall.amplitude;
+    for (const Wall& wall : scene_.walls) {
+      if (wall.axis != static_cast<int>(axis) || wall.high != high) continue;
+      const double velocity = axis < wall.velocity.size() ? wall.velocity[axis] : 0;
+      return wall.amplitude + std::max(0.0, (high ? -velocity : velocity) * pouring_time());
+    }
     return 0;
   }
 

@@ -93,6 +93,12 @@ const std::vector<BadEdit> errors = {
      "[30.0, 0.5]\n[[wall]]\nside = 'y-low'\namplitude = 1.0\nfrequency = 1.0",
      "24:17",
      {"along y, out of the domain or into a wall; allowed: 1 to 30"}},
+    {"behind_a_wall",  // all is poured by time 50, of 100
+     "[30.0, 20.0]",
+     "[30.0, 4.0]\ncount = 100\n[[wall]]\nside = 'y-low'\nvelocity = [0.0, 0.1]",
+     "24:17",
+     {"along y, out of the domain or into a wall; allowed: 5 to 30"}},
+    {"too_fast", "[0.0, -1.0]\n[[", "[0.0, -1e308]\n[[", "21:18", {"is -1e+308; allowed: -1e+100 to 1e+100"}},
     {"in_an_obstacle",
      "[30.0, 20.0]",
      "[11.0, 11.0]",

@@ -56,7 +56,7 @@ void check_velocity(const Wall& wall, int dimension, const std::string& path, Di
   if (wall.velocity.empty() || !diagnostics.clean(path + ".velocity")) return;
   if (!check_length(diagnostics, path + ".velocity", wall.velocity.size(), dimension)) return;
   for (std::size_t axis = 0; axis < wall.velocity.size(); ++axis)
-    check_bounds(diagnostics, item_path(path + ".velocity", axis), wall.velocity[axis], finite());
+    check_bounds(diagnostics, item_path(path + ".velocity", axis), wall.velocity[axis], speed());
   if (wall.amplitude != 0 && diagnostics.clean(path + ".side") &&
       wall.velocity[static_cast<std::size_t>(wall.axis)] != 0)
     diagnostics.report(path + ".velocity",

@@ -34,6 +34,11 @@ Bounds between(double low, double high) {
   return bounds;
 }
 
+Bounds speed() {
+  constexpr double most = 1e100;
+  return between(-most, most);
+}
+
 bool check_bounds(Diagnostics& diagnostics, const std::string& path, double value, const Bounds& bounds) {
   if (bounds.hold(value)) return true;
   diagnostics.report(path, fmt::format("{} is {}; allowed: {}", shown(path), value, bounds.text));

@@ -22,6 +22,8 @@ Bounds finite();
 Bounds positive();
 Bounds at_least(double low);
 Bounds between(double low, double high);
+/// Of a velocity: sums of its squares are finite.
+Bounds speed();
 
 /// Reports the value at `path` when it is out of bounds; true when it is within.
 bool check_bounds(Diagnostics& diagnostics, const std::string& path, double value, const Bounds& bounds);
