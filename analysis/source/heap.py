@@ -48,35 +48,60 @@ def draw_heap(case, stem):
     finish(picture, "3.24", f"A heap of {_poured(run)} particles, r = {run.species['restitution']:g}", stem)
 
 
+def _growing(run):
+    """[(time, x, h)] of up to six heaps from a hundred particles to all: median over the samples of ten particles before and
+    after, in which nobody rebounds, without the stream."""
+    [source] = run.scene["source"]
+    runs, rate = run.series(SURFACE), source["rate"]
+    times = runs[0].time
+    last = np.searchsorted(times, source["count"] / rate * 1.0001) - 1
+    stream = source.get("width", [0.0])[0] / 2 + 1
+    heaps = []
+    for particles in np.geomspace(min(100, times[last] * rate), times[last] * rate, 6):
+        sample = min(last, np.searchsorted(times, particles / rate * 0.9999))
+        near = np.abs(times - times[sample]) * rate <= 10
+        x, _, _ = surface(run, sample)
+        height = np.mean([np.median(item.value[near], axis=0) for item in runs], axis=0)
+        heaps.append((times[sample], x, np.where(np.abs(x) < stream, np.nan, height)))
+    return heaps
+
+
 def draw_growth(case, stem):
-    run = _largest(case)
-    times = run.series(SURFACE)[0].time
-    last = _poured(run) / sum(source["rate"] for source in run.scene["source"])
-    samples = [index for index, time in enumerate(times) if 0 < time <= last * 1.001]
-    if len(samples) > 6:
-        samples = [samples[round(k)] for k in np.geomspace(1, len(samples), 6) - 1]
+    heaps = _growing(_largest(case))
     picture, [row] = panels(2)
-    for index, sample in enumerate(samples):
-        x, height, _ = surface(run, sample)
-        height = np.where(np.abs(x) < 1, np.nan, height)   # there the particle in flight stands above the heap
-        root = times[sample] ** 0.5
-        row[0].plot(x, height, color=shade(index, len(samples)), label=f"t = {times[sample]:g}")
-        row[1].plot(x / root, height / root, color=shade(index, len(samples)))
-    row[0].set(xlabel="x / d", ylabel="h / d")
-    row[1].set(xlabel="x / (d √t)", ylabel="h / (d √t)", title="over the root of the time")
+    for index, (time, x, height) in enumerate(heaps):
+        colour, root = shade(index, len(heaps)), time ** 0.5
+        row[0].plot(x, height, color=colour, label=f"t = {time:g}")
+        row[1].plot(x / root, height / root, color=colour)
+    reach = heaps[-1][1].max() / heaps[-1][0] ** 0.5
+    row[0].set(xlabel="x / d", ylabel="h / d", ylim=(0, None))
+    row[1].set(xlabel="x / (d √t)", ylabel="h / (d √t)", title="over the root of the time", xlim=(-reach, reach),
+               ylim=(0, None))
     row[0].legend()
     finish(picture, "3.26", "A growing heap", stem)
 
 
+def _slopes(case):
+    """Rows (r, slope, standard error) of the heaps poured alike, of those with most restitutions."""
+    alike = {}
+    for run, item in case.verdicts("heap-slope"):
+        if run.variant == OWN and item.value is not None:
+            row = run.species["restitution"], item.value, item.stderr or 0.0
+            alike.setdefault((str(run.scene.get("source")), str(run.scene["domain"])), []).append(row)
+    return np.array(sorted(max(alike.values(), key=len, default=[]))).reshape(-1, 3)
+
+
 def draw_slopes(case, stem):
-    rows = np.array(sorted((run.species["restitution"], item.value, item.stderr or 0.0)
-                           for run, item in case.verdicts("heap-slope")
-                           if run.variant == OWN and item.value is not None)).reshape(-1, 3)
-    if len(set(rows[:, 0])) < 2:
+    rows = _slopes(case)
+    if len(rows) < 2:
         raise Lacking("slopes at one restitution: a curve needs two")
     picture, [[panel]] = panels()
     marks(panel, *rows.T, color="#0072b2", linestyle="none")
-    panel.set(xlabel="restitution r", ylabel="slope", ylim=(0, None))
+    for ratio, name in ((1, "1"), (1 / 2, "1/2"), (1 / 3, "1/3")):
+        panel.axhline(ratio, linestyle=":", linewidth=0.8, color=BLACK)
+        panel.annotate(name, (1, ratio), xycoords=("axes fraction", "data"), xytext=(3, 0),
+                       textcoords="offset points", va="center", color=BLACK)
+    panel.set(xlabel="restitution r", ylabel="slope (dotted: ratios of a lattice)", ylim=(0, None))
     finish(picture, "3.27", "Slope against restitution", stem)
 
 

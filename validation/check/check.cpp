@@ -55,7 +55,8 @@ std::vector<CheckInfo> join_families() {
                              rough_checks,
                              time_step_checks,
                              repulsion_checks,
-                             two_fluid_checks})
+                             two_fluid_checks,
+                             symmetry_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }

@@ -17,9 +17,6 @@ namespace sandglass {
 namespace {
 constexpr std::size_t kFolds = 10;
 
-/// Diameters that l/r may have: a grain, over a probability to stop of a tenth.
-constexpr double kMostKink = 10;
-
 using Replicas = std::span<const std::size_t>;
 
 HeapProfile all_replicas(const Subject& subject, std::size_t sample) {
@@ -85,6 +82,12 @@ Figure tail_figure(const Subject& subject, std::size_t sample) {
   return figure;
 }
 
+Mean slope_at_end(const Subject& subject) {
+  return jackknife(subject.replicas(), [&](Replicas replicas) {
+    return straight_slope(heap_profile(subject, last_sample(subject), replicas));
+  });
+}
+
 Evidence slope_evidence(const Subject& subject, const law::Arguments& numbers) {
   const std::size_t sample = last_sample(subject);
   const auto slope = [&](int side) {
@@ -93,14 +96,20 @@ Evidence slope_evidence(const Subject& subject, const law::Arguments& numbers) {
     });
   };
   const Mean left = slope(-1), right = slope(1);
-  const Mean both = jackknife(subject.replicas(), [&](Replicas replicas) {
-    return straight_slope(heap_profile(subject, sample, replicas));
-  });
-  Evidence evidence = at_least(both, numbers.at("least"));
+  Evidence evidence = at_least(slope_at_end(subject), numbers.at("least"));
   evidence.summary = fmt::format(
       "slope of the straight part of both sides at the end; left {:.3f} ± {:.3f}, right {:.3f} ± {:.3f}",
       left.value, left.standard_error, right.value, right.standard_error);
   evidence.figures.push_back(surface_figure(subject, sample));
+  return evidence;
+}
+
+/// A staircase of preferred slopes would stand apart from the curve.
+Evidence curve_evidence(const Subject& subject, const law::Arguments& numbers) {
+  Evidence evidence = from_mean(slope_at_end(subject), numbers.at("expected"));
+  evidence.budget.reference = numbers.at("expected-error");
+  evidence.summary =
+      "slope of the straight part at the end, beside a smooth curve through those at other restitutions";
   return evidence;
 }
 
@@ -207,6 +216,11 @@ std::vector<CheckInfo> heap_checks() {
       heap_check("heap-slope", "slope of the straight part of a heap at the end", "",
                  {Parameter{"least", "1", "slope below which it is no heap", 0, 10}}, is_heap,
                  slope_evidence),
+      heap_check("heap-slope-curve",
+                 "slope of a heap at the end against a smooth curve through those at other restitutions", "",
+                 {Parameter{"expected", "1", "slope that the curve gives here", 0, 10},
+                  Parameter{"expected-error", "1", "its standard error", 0, 10}},
+                 is_heap, curve_evidence),
       heap_check("heap-head", "slope of the straight part of a heap less that of its head", "",
                  {Parameter{"least", "1", "by which the head is flatter", 0, 10}}, is_heap, head_evidence),
       heap_check("heap-edge", "slope of a heap on a table near the edge over that further in", "", {},

@@ -72,12 +72,13 @@ HeapProfile heap_profile(const Subject& subject, std::size_t sample, std::span<c
 double heap_side_slope(const HeapProfile& profile, int side, double from, double to) {
   double count = 0, x = 0, h = 0, xx = 0, xh = 0;
   for (std::size_t i = 0; i < profile.x.size(); ++i) {
-    const double distance = side * profile.x[i];
-    if (distance < from || distance > to) continue;
-    ++count, x += distance, h += profile.h[i];
-    xx += distance * distance, xh += distance * profile.h[i];
+    const double distance = side * profile.x[i], half = profile.bin / 2;
+    const double part = (std::min(distance + half, to) - std::max(distance - half, from)) / profile.bin;
+    if (part <= 0) continue;
+    count += part, x += part * distance, h += part * profile.h[i];
+    xx += part * distance * distance, xh += part * distance * profile.h[i];
   }
-  if (count < 3) return std::numeric_limits<double>::quiet_NaN();
+  if (count < 2) return std::numeric_limits<double>::quiet_NaN();
   return -(xh - x * h / count) / (xx - x * x / count);
 }
 

@@ -15,6 +15,7 @@ struct HeapProfile {
   double diameter = 0;  ///< of a particle
 
   double area() const;
+  double width() const { return bin * static_cast<double>(x.size()); }  ///< of the box
   /// 3/2 of the integral of h^2 over that of h: the height of a triangle, without a say of single bins.
   double height() const;
   /// Half of the base of the triangle of this area and height.
@@ -41,7 +42,8 @@ HeapPoints below_head(const HeapProfile& profile);
 constexpr double kStraightFrom = 0.2, kStraightTo = 0.7;
 
 /// Least-squares slope of the surface, falling outwards, where `from` <= |x| <= `to` on both sides, or on one: -1 is left,
-/// 1 right. NaN with fewer than three bins on a side.
+/// 1 right. Bins count by their part of the range, so that no bin comes or goes at once when the range moves a little (a
+/// jackknife would take that for bias). NaN on less than two bins of a side.
 double heap_slope(const HeapProfile& profile, double from, double to);
 double heap_side_slope(const HeapProfile& profile, int side, double from, double to);
 

@@ -7,6 +7,9 @@
 
 namespace sandglass {
 
+/// Diameters that l/r may have: a grain, over a probability to stop of a tenth.
+constexpr double kMostKink = 10;
+
 /// Surface of a heap fitted by the law of kinks (3.17) or by a triangle.
 struct HeapFit {
   law::Heap heap{};   ///< kink_length 0 for a triangle

@@ -112,6 +112,16 @@ TEST(HeapSlope, FindsTheSlopeAndMissesItInALayer) {
   EXPECT_LT(above(evidence_of("heap-slope", surfaces(flat), {{"least", 0.15}})), -10);
 }
 
+TEST(HeapSlope, StandsOnACurveOrBesideIt) {
+  const double slope = evidence_of("heap-slope", surfaces(growing), {{"least", 0.15}}).value;
+  const auto beside = [&](double expected) {
+    return above(evidence_of("heap-slope-curve", surfaces(growing),
+                             {{"expected", expected}, {"expected-error", 0.01}}));
+  };
+  EXPECT_NEAR(beside(slope), 0, 1e-9);
+  EXPECT_GT(beside(slope - 0.08), 10);
+}
+
 TEST(HeapSlope, OfParticlesOnTheFloorIsNone) {
   const Evidence none =
       evidence_of("heap-slope", surfaces([](double, double) { return 0.0; }), {{"least", 0.15}});
@@ -129,6 +139,16 @@ TEST(HeapGrowth, FollowsTheLargestHeap) {
   const auto late = [](double time, double x) { return growing(time < 1000 ? 0.8 * time : time, x); };
   const Evidence wrong = evidence_of("heap-growth", surfaces(late), {{"least-particles", 250}});
   EXPECT_GT(std::abs(wrong.value - 1), 4 * wrong.standard_error + wrong.budget.systematic);
+}
+
+/// A layer from wall to wall has not grown, nor has a bare floor.
+TEST(HeapGrowth, IsNotThatOfALayer) {
+  const Evidence layer = evidence_of("heap-growth", surfaces(flat), {{"least-particles", 500}});
+  EXPECT_EQ(layer.value, 0);
+  EXPECT_GT(std::abs(layer.value - 1), 4 * layer.standard_error + layer.budget.systematic);
+  const Evidence bare =
+      evidence_of("heap-growth", surfaces([](double, double) { return 0.0; }), {{"least-particles", 500}});
+  EXPECT_EQ(bare.value, 0);
 }
 
 TEST(HeapGrowth, RefusesARunWithoutSmallerHeaps) {

@@ -31,7 +31,7 @@ Evidence packed_height(const Subject& subject, const law::Arguments& numbers) {
         mean_of_independent(late_samples(subject, replica, "centre-of-mass", axis, numbers.at("settle-time")))
             .value);
   law::Gas gas = subject.gas(1);
-  gas.fraction = densest_fraction(subject);
+  gas.fraction = numbers.at("fraction") > 0 ? numbers.at("fraction") : densest_fraction(subject);
   const double count = subject.particles() * subject.scene().method.weight;
   Evidence evidence =
       from_mean(mean_of_independent(heights), law::packed_height(gas, count, floor_size(subject)));
@@ -82,12 +82,14 @@ bool rests_in_cells(const Scene& scene) { return falls_to_floor(scene) && capabi
 std::vector<CheckInfo> packing_checks() {
   const law::Parameter settle{"settle-time", "time", "samples before it are left out", 0, 1e12};
   const law::Parameter most{"most", "1", "share that may be above", 0, 1};
+  const law::Parameter fraction{
+      "fraction", "1", "at which cells take nobody in; 0: the densest random packing", 0, 1, 0};
   return {{"packed-height",
            "centre of mass at rest against that of the densest random packing with a level surface",
            "packed-height",
            {"centre-of-mass"},
            false,
-           {settle},
+           {settle, fraction},
            falls_to_floor,
            packed_height},
           {"crowded-cells",
