@@ -18,9 +18,11 @@ nlohmann::json as_json(const Plan& plan) {
           {"replicas", plan.replicas},
           {"particles_per_cell", plan.particles_per_cell},
           {"cell_size_in_mean_free_paths", plan.cell_size_in_mean_free_paths},
+          {"density_window", plan.density_window},
           {"time_step", plan.time_step},
           {"collisions_per_particle_and_step", plan.collisions_per_particle_and_step},
           {"bytes_per_particle", plan.bytes_per_particle},
+          {"bytes_of_samples", plan.bytes_of_samples},
           {"steps", plan.steps},
           {"particle_moves", plan.particle_moves},
           {"expected_collisions", plan.expected_collisions},
@@ -51,13 +53,17 @@ std::string as_text(const Plan& plan) {
                             plan.particles_per_cell, plan.cell_size_in_mean_free_paths)},
       {"time step", fmt::format("{:.6g} ({:.3g} collisions per particle)", plan.time_step,
                                 plan.collisions_per_particle_and_step)},
-      {"memory", fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle,
-                             plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6)},
+      {"memory", fmt::format("{:.0f} bytes a particle, {:.3g} MB; samples of all replicas {:.3g} MB",
+                             plan.bytes_per_particle,
+                             plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6,
+                             plan.bytes_of_samples / 1e6)},
       {"work", work(plan)},
       {"columns", joined(plan.columns)},
       {"in use", joined(plan.used)},
       {"left out", joined(plan.left_out)},
   };
+  if (plan.density_window > 0)
+    rows.push_back({"contact factor", fmt::format("of the density in {} cells across", plan.density_window)});
   for (const std::string& warning : plan.warnings) rows.push_back({"warning", warning});
   return columns(rows);
 }

@@ -83,7 +83,8 @@ Parameters parameters_of(const Scene& scene) {
   if (options.pair_count == sandglass::PairCount::expected) parameters.pair_count = PairCount::expected;
   if (options.partners == sandglass::Partners::contact) parameters.partners = Partners::contact;
   if (options.contact_factor == ContactFactor::local)
-    parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed};
+    parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed,
+                         static_cast<std::uint32_t>(options.density_window.value_or(0))};
   return parameters;
 }
 

@@ -6,6 +6,7 @@
 #include "sim/physics/contact_value.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace sandglass::dsmc {
@@ -22,6 +23,7 @@ struct Offset {
 struct LocalFactor {
   ContactFormula formula = nullptr;
   bool smoothed = true;  ///< from a window of cells without the pair itself; else from the cell's own count
+  std::uint32_t window = 0;  ///< cells across; 0: see window_cells()
 };
 
 /// What candidates come from. counted: the pairs that each cell holds. expected: as many as chance would put into cells of
