@@ -6,7 +6,7 @@
 namespace sandglass::program {
 
 namespace {
-double bytes_needed(const Plan& plan) {
+double bytes_of_particles(const Plan& plan) {
   return plan.bytes_per_particle * static_cast<double>(plan.particles);
 }
 
@@ -17,11 +17,14 @@ double bytes_of_machine() {
 
 std::string memory_words(const Plan& plan) {
   std::string words =
-      fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle, bytes_needed(plan) / 1e6);
+      fmt::format("{:.0f} bytes a particle, {:.3g} MB; samples of all replicas {:.3g} MB",
+                  plan.bytes_per_particle, bytes_of_particles(plan) / 1e6, plan.bytes_of_samples / 1e6);
   if (exceeds_memory(plan)) words += fmt::format("; this machine has {:.3g} MB", bytes_of_machine() / 1e6);
   return words;
 }
 
-bool exceeds_memory(const Plan& plan) { return bytes_needed(plan) > bytes_of_machine(); }
+bool exceeds_memory(const Plan& plan) {
+  return bytes_of_particles(plan) + plan.bytes_of_samples > bytes_of_machine();
+}
 
 }  // namespace sandglass::program

@@ -19,9 +19,11 @@ nlohmann::json as_json(const Plan& plan) {
           {"replicas", plan.replicas},
           {"particles_per_cell", plan.particles_per_cell},
           {"cell_size_in_mean_free_paths", plan.cell_size_in_mean_free_paths},
+          {"density_window", plan.density_window},
           {"time_step", plan.time_step},
           {"collisions_per_particle_and_step", plan.collisions_per_particle_and_step},
           {"bytes_per_particle", plan.bytes_per_particle},
+          {"bytes_of_samples", plan.bytes_of_samples},
           {"steps", plan.steps},
           {"particle_moves", plan.particle_moves},
           {"expected_collisions", plan.expected_collisions},
@@ -58,6 +60,8 @@ std::string as_text(const Plan& plan) {
       {"in use", joined(plan.used)},
       {"left out", joined(plan.left_out)},
   };
+  if (plan.density_window > 0)
+    rows.push_back({"contact factor", fmt::format("of the density in {} cells across", plan.density_window)});
   for (const std::string& warning : plan.warnings) rows.push_back({"warning", warning});
   return columns(rows);
 }

@@ -75,15 +75,14 @@ TEST_P(ExtremeMixture, IsFiniteAndKeepsItsEnergy) {
   for (const double value : energy) EXPECT_NEAR(value / energy.front(), 1, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Elastic, ExtremeMixture,
-    testing::Values(Change{"mass_ratio_1e6", "mass = 1.0", "mass = 1e6"},
-                    Change{"mass_ratio_1e_6", "mass = 1.0", "mass = 1e-6"},
-                    Change{"diameter_ratio_1e3", "diameter = 0.5", "diameter = 5e-4"},
-                    Change{"one_of_a_species", "count = 400", "count = 1"},
-                    Change{"light_weight", "weight = 1.0", "weight = 1e-6"},
-                    Change{"long_step", "time-step = 0.1", "time-step = 5.0"}),
-    [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Elastic, ExtremeMixture,
+                         testing::Values(Change{"mass_ratio_1e6", "mass = 1.0", "mass = 1e6"},
+                                         Change{"mass_ratio_1e_6", "mass = 1.0", "mass = 1e-6"},
+                                         Change{"diameter_ratio_1e3", "diameter = 0.5", "diameter = 5e-4"},
+                                         Change{"one_of_a_species", "count = 400", "count = 1"},
+                                         Change{"light_weight", "weight = 1.0", "weight = 1e-6"},
+                                         Change{"long_step", "time-step = 0.1", "time-step = 5.0"}),
+                         [](const auto& test) { return test.param.name; });
 
 /// A particle of a pair weighs a million: they collide in every step as often as the budget of candidates allows, or the
 /// run says what to change.
@@ -98,8 +97,7 @@ TEST(ExtremeMixtures, OfHeavyWeightRunOrSayWhatToChange) {
 
 /// A wall at zero temperature takes all that a particle brings: the gas cools and stays a gas of numbers.
 TEST(ExtremeMixtures, CoolAtAWallOfZeroTemperature) {
-  const std::string text =
-      kMixture + "[[wall]]\nside = \"y-low\"\nrule = \"thermal\"\ntemperature = 0.0\n";
+  const std::string text = kMixture + "[[wall]]\nside = \"y-low\"\nrule = \"thermal\"\ntemperature = 0.0\n";
   Scene scene;
   try {
     scene = read_scene_text(text, "scene.toml");
@@ -117,7 +115,8 @@ TEST(ExtremeMixtures, CoolAtAWallOfZeroTemperature) {
 /// Rough as well, and so different that a collision moves only one of the two.
 TEST(ExtremeMixtures, OfRoughParticlesKeepTheirEnergyBounded) {
   std::string text = changed(kMixture, {"", "mass = 1.0", "mass = 1e6\ntangential-restitution = 0.5"});
-  text = changed(text, {"", "name = \"one\"", "name = \"one\"\nrestitution = 0.0\ntangential-restitution = 1.0"});
+  text = changed(text,
+                 {"", "name = \"one\"", "name = \"one\"\nrestitution = 0.0\ntangential-restitution = 1.0"});
   text = changed(text, {"", "temperature = 1.0", "temperature = 1.0\nspin-temperature = 1.0"});
   const Record record = run_scene(read_scene_text(text, "scene.toml"));
   expect_finite(record);

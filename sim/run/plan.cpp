@@ -2,6 +2,7 @@
 #include "sim/run/setup.hpp"
 #include "sim/scene/method/family.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -38,6 +39,26 @@ void expect_work(const Setup<D>& setup, Plan& plan) {
   if (!std::isfinite(plan.steps)) plan.particle_moves = plan.expected_collisions = HUGE_VAL;
 }
 
+double samples_of(const Cadence& cadence, const Plan& plan) {
+  const double every = cadence.every;
+  if (cadence.unit == Cadence::Unit::time) return plan.steps * plan.time_step / every;
+  if (cadence.unit == Cadence::Unit::collisions)
+    return plan.steps * plan.collisions_per_particle_and_step / every;
+  return plan.steps / every;
+}
+
+/// Each sample with its step and time; at most one a step, and one at the start.
+template <int D>
+double bytes_of_samples(const Setup<D>& setup, const Plan& plan) {
+  double bytes = 0;
+  for (std::size_t i = 0; i < setup.observers.size(); ++i) {
+    const double samples = 1 + std::min(samples_of(setup.scene.observe[i].cadence, plan), plan.steps);
+    for (const auto& observer : make_observers<D>(setup.observers[i], 0))
+      bytes += samples * sizeof(double) * static_cast<double>(observer->quantity().size() + 2);
+  }
+  return bytes * static_cast<double>(plan.replicas);
+}
+
 /// What is on or off whatever the family.
 template <int D>
 void list_features(const Setup<D>& setup, Plan& plan) {
@@ -68,6 +89,7 @@ Plan plan_of(const Scene& scene) {
   plan.replicas = scene.run.replicas;
   plan.particles = setup.particles + poured_count(scene);
   expect_work(setup, plan);
+  plan.bytes_of_samples = bytes_of_samples(setup, plan);
   setup.method->plan(plan);
   list_features(setup, plan);
   return plan;

@@ -30,6 +30,25 @@ TEST(Plan, TellsTheBytesThatTheRunHolds) {
       }
 }
 
+TEST(Plan, TellsTheBytesOfTheSamples) {
+  Scene scene = test_scene(2, 300, 2000);
+  scene.run.replicas = 2;
+  scene.run.duration.steps = 60;
+  for (const Cadence& cadence : {Cadence{Cadence::Unit::steps, 3}, Cadence{Cadence::Unit::time, 0.2},
+                                 Cadence{Cadence::Unit::time, 1e-9}}) {
+    scene.observe.resize(2);
+    scene.observe[0].what = "energy";
+    scene.observe[1].what = "fields";
+    scene.observe[1].grid = {10, 20};
+    for (Observe& observe : scene.observe) observe.cadence = cadence;
+    double held = 0;
+    for (const Replica& replica : run_scene(scene).replicas)
+      for (const Series& series : replica.series)
+        held += sizeof(double) * static_cast<double>(series.value.size() + 2 * series.samples());
+    EXPECT_NEAR(plan(scene).bytes_of_samples / held, 1, 1e-9) << cadence.every;
+  }
+}
+
 /// A wall that draws names its random streams by particle.
 TEST(Plan, TellsTheIdsThatRandomWallsNeed) {
   Scene scene = hard_scene({300, 300}, 20'000);
@@ -109,6 +128,43 @@ TEST(Plan, AdvisesNoCellsWhereTheyHoldTheExcludedVolume) {
   dsmc_options(thin).cells = {10, 10};
   dsmc_options(thin).excluded_volume = ExcludedVolume::cells;
   EXPECT_TRUE(plan(thin).warnings.empty());
+}
+
+/// Enough for a hundred particles, whatever the scene says nothing about; the record names what the plan says.
+TEST(Plan, TellsTheWindowOfTheContactFactor) {
+  Scene scene = test_scene(2, 30, 900);
+  dsmc_options(scene).cells = {15, 15};
+  EXPECT_EQ(plan(scene).density_window, 0U);
+  dsmc_options(scene).contact_factor = ContactFactor::local;
+  EXPECT_EQ(plan(scene).density_window, 5U);  // 25 cells of 4
+  const Record chosen = run_scene(scene);
+  EXPECT_NE(chosen.scene.find("density-window = 5\n"), std::string::npos) << chosen.scene;
+  const Record again = run_scene(read_scene_text(chosen.scene, "recorded"));
+  EXPECT_EQ(again.replicas[0].counters, chosen.replicas[0].counters);
+  dsmc_options(scene).density_window = 3;
+  EXPECT_EQ(plan(scene).density_window, 3U);
+  EXPECT_NE(run_scene(scene).replicas[0].counters, chosen.replicas[0].counters);
+  dsmc_options(scene).density_window.reset();
+  dsmc_options(scene).density = DensityEstimate::cell;
+  EXPECT_EQ(plan(scene).density_window, 0U);
+}
+
+/// Where gravity packs particles the mean density of the box is not the one that they see.
+TEST(Plan, WarnsOfAWindowThatIsWideForWhatGravityPacks) {
+  Scene scene = test_scene(2, 30, 90);
+  dsmc_options(scene).cells = {10, 10};
+  dsmc_options(scene).contact_factor = ContactFactor::local;
+  const auto says = [&] {
+    return std::ranges::any_of(plan(scene).warnings, [](const std::string& text) {
+      return text.find("'method.density-window'") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(says());
+  scene.domain.sides[1] = {Side::specular, Side::specular};
+  scene.gravity = {0, -1};
+  EXPECT_TRUE(says());
+  dsmc_options(scene).density_window = 5;
+  EXPECT_FALSE(says());
 }
 
 /// A source fills an empty box: 0/0 is no plan.

@@ -29,6 +29,7 @@ height = 2.0
 centre = [5.0]
 [method]
 preset = "cuba"
+density-window = 3
 random-offset = 0.25
 cells = [5, 10]
 time-step = { collisions-per-particle = 0.1 }

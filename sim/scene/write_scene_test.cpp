@@ -118,6 +118,8 @@ TEST(WriteScene, EveryOtherKeyReadsBackEqual) {
   scene.species[0] = {"bead_1", {}, 0.3, {}, 1.25, 2.5, 0.85};
   dsmc_of(scene).cell_size.reset();
   dsmc_of(scene).cells = {4, 5};
+  dsmc_of(scene).contact_factor = ContactFactor::local;
+  dsmc_of(scene).density_window = 7;
   scene.method.time_step = {{}, 0.2};
   scene.initial.positions = Positions::random_without_overlap;
   scene.initial.velocity = {1, -2};

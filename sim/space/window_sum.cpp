@@ -6,25 +6,35 @@
 namespace sandglass {
 
 template <int D, class Real>
+int WindowSum<D, Real>::half_width_for(const LatticeOfCells<D>& cells, double particles_per_cell,
+                                       double wanted) {
+  const Grid<D> points = cells.points();
+  if (cells.diagonal_cells()) particles_per_cell *= static_cast<double>(cells.size()) / points.size();
+  std::uint32_t longest = 1;
+  for (int axis = 0; axis < D; ++axis) longest = std::max(longest, points.cells(axis));
+  const auto held = [&](int half) {
+    double held_cells = 1;
+    for (int axis = 0; axis < D; ++axis) held_cells *= std::min<double>(2.0 * half + 1, points.cells(axis));
+    return held_cells * particles_per_cell;
+  };
+  int half = 0;
+  while (held(half) < wanted && static_cast<std::uint32_t>(2 * half + 1) < longest) ++half;
+  return half;
+}
+
+template <int D, class Real>
 WindowSum<D, Real>::WindowSum(const LatticeOfCells<D>& cells, const std::array<bool, D>& periodic,
-                              double particles_per_cell, double wanted)
-    : grid_(cells.points()), periodic_(periodic), sum_(cells.size()), scratch_(grid_.size()) {
+                              int half_width)
+    : grid_(cells.points()),
+      periodic_(periodic),
+      half_width_(half_width),
+      sum_(cells.size()),
+      scratch_(grid_.size()) {
   if (cells.diagonal_cells()) {
     spread_.resize(grid_.size());
     for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
       point_.push_back(cells.diagonal_cells()->point(cell));
-    particles_per_cell *= static_cast<double>(cells.size()) / grid_.size();  // now: per point
   }
-  std::uint32_t longest = 1;
-  for (int axis = 0; axis < D; ++axis) longest = std::max(longest, grid_.cells(axis));
-  const auto held = [&](int half) {
-    double held_cells = 1;
-    for (int axis = 0; axis < D; ++axis) held_cells *= std::min<double>(2.0 * half + 1, grid_.cells(axis));
-    return held_cells * particles_per_cell;
-  };
-  while (held(half_width_) < wanted && static_cast<std::uint32_t>(2 * half_width_ + 1) < longest)
-    ++half_width_;
-
   std::fill(sum_.begin(), sum_.end(), Real{1});
   sum();
   extent_ = sum_;

@@ -15,9 +15,12 @@ namespace sandglass {
 template <int D, class Real = float>
 class WindowSum {
  public:
+  WindowSum(const LatticeOfCells<D>& cells, const std::array<bool, D>& periodic, int half_width);
   /// The smallest window that holds at least `wanted` particles on average, or the whole box.
   WindowSum(const LatticeOfCells<D>& cells, const std::array<bool, D>& periodic, double particles_per_cell,
-            double wanted);
+            double wanted)
+      : WindowSum(cells, periodic, half_width_for(cells, particles_per_cell, wanted)) {}
+  static int half_width_for(const LatticeOfCells<D>& cells, double particles_per_cell, double wanted);
 
   /// Number of each cell, to be written; after sum() the sum over the window of each cell.
   std::span<Real> values() { return sum_; }

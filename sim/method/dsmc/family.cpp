@@ -1,10 +1,12 @@
 #include "sim/method/dsmc/family.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/packing.hpp"
 #include "sim/method/boundary_faults.hpp"
 #include "sim/method/collision_rate.hpp"
 #include "sim/method/dsmc/dsmc.hpp"
 #include "sim/method/dsmc/from_scene.hpp"
+#include "sim/method/dsmc/local_factor.hpp"
 #include "sim/method/dsmc/pair_deficit.hpp"
 #include "sim/method/dsmc/planted_faults.hpp"
 #include "sim/method/motion_from_scene.hpp"
@@ -74,6 +76,7 @@ class Builder final : public MethodBuilder<D> {
     plan.cells = cells_.size();
     plan.particles_per_cell = static_cast<double>(plan.particles) / static_cast<double>(cells_.grid().size());
     plan.cell_size_in_mean_free_paths = std::pow(cells_.grid().cell_volume(), 1.0 / D) / plan.mean_free_path;
+    if (reads_window()) plan.density_window = density_window();
     plan.columns = {"position", "velocity", "cell"};
     if (parameters_.kinds.mixed()) plan.columns.push_back("species");
     if (parameters_.kinds.rough) plan.columns.push_back("spin");
@@ -99,6 +102,7 @@ class Builder final : public MethodBuilder<D> {
 
   void record_choices(Scene& scene) const override {
     DsmcOptions& options = std::get<DsmcOptions>(scene.method.options);
+    if (reads_window()) options.density_window = density_window();
     if (!options.cells.empty() || options.cell_size) return;
     for (int axis = 0; axis < D; ++axis) options.cells.push_back(cells_.cells(axis));
   }
@@ -124,6 +128,13 @@ class Builder final : public MethodBuilder<D> {
     return parameters_.kinds.mixed() ? 12 * species + 8 + 8 * species * species : 3 * 4 + 8;
   }
 
+  /// The contact factor reads its density from a window.
+  bool reads_window() const { return parameters_.factor.formula != nullptr && parameters_.factor.smoothed; }
+  std::uint32_t density_window() const {
+    const double particles = static_cast<double>(particle_count(scene_)) + parameters_.poured;
+    return window_cells(parameters_, cells_, particles);
+  }
+
   double bytes_per_particle(double particles) const {
     const double per_cell = 8 + bytes_of_factor() + (parameters_.pair_count == PairCount::expected ? 44 : 0) +
                             (parameters_.pair_count == PairCount::time_counter ? 8 : 0) +
@@ -132,11 +143,12 @@ class Builder final : public MethodBuilder<D> {
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
            (parameters_.kinds.mixed() ? 2 : 0) + (parameters_.kinds.rough ? 2 * sizeof(Spin<D>) : 0) +
            (parameters_.excluded_volume.any() ? 5 : 0) +
-           (per_cell + (parameters_.excluded_volume.any() ? 21 + 8 * D : 0)) * cells_.size() / particles;
+           (per_cell + (parameters_.excluded_volume.any() ? 26 + 8 * D : 0)) * cells_.size() / particles;
   }
 
   /// Two warnings never advise opposite things: cells as wide as a mean free path or wider get more particles by weight.
   void warn(Plan& plan) const {
+    warn_of_window(plan);
     if (parameters_.excluded_volume.any()) return warn_of_full_cells(plan);
     const bool wide = plan.cell_size_in_mean_free_paths > 1;
     if (const double deficit = expected_pair_deficit(D, parameters_, density(), plan.particles_per_cell);
@@ -159,6 +171,21 @@ class Builder final : public MethodBuilder<D> {
       plan.warnings.push_back(fmt::format(
           "{:.2g} particles per cell: the same pairs meet again and again; {}lower 'method.weight'",
           plan.particles_per_cell, wide ? "" : "widen the cells or "));
+  }
+
+  /// The mean density of the box chooses the window. Particles that gather need less, and their density varies over it.
+  void warn_of_window(Plan& plan) const {
+    if (!reads_window() || parameters_.factor.window > 0) return;
+    if (scene_.gravity.empty() && scene_.sources.empty()) return;
+    const double packed = random_close_packing(D) * volume(scene_.domain) /
+                          (parameters_.weight * particle_volume(D, parameters_.diameter));
+    const std::uint32_t window = density_window(), least = window_cells(parameters_, cells_, packed);
+    if (window > least)
+      plan.warnings.push_back(
+          fmt::format("the contact factor reads the density of {} cells across, enough at the mean density "
+                      "of the box; where gravity or a source packs particles {} would do, and smear the "
+                      "density less: give 'method.density-window'",
+                      window, least));
   }
 
   /// The edge of a cell that keeps others out is a length of the model, not of the numerics: how many particles it holds is

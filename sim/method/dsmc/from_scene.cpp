@@ -119,7 +119,8 @@ Parameters parameters_of(const Scene& scene) {
   parameters.pair_count = pair_count_of(options);
   if (options.partners == sandglass::Partners::contact) parameters.partners = Partners::contact;
   if (options.contact_factor == ContactFactor::local)
-    parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed, D};
+    parameters.factor = {contact_formula(D), options.density == DensityEstimate::smoothed, D,
+                         static_cast<std::uint32_t>(options.density_window.value_or(0))};
   return parameters;
 }
 

@@ -6,6 +6,14 @@
 namespace sandglass::dsmc {
 
 template <int D>
+std::uint32_t window_cells(const Parameters& parameters, const LatticeOfCells<D>& cells, double particles) {
+  if (parameters.factor.window > 0) return parameters.factor.window;
+  const int half =
+      WindowSum<D>::half_width_for(cells, particles / cells.grid().size(), window_particles(parameters));
+  return 2 * static_cast<std::uint32_t>(half) + 1;
+}
+
+template <int D>
 LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const LatticeOfCells<D>& cells,
                                           const std::array<bool, D>& periodic, double particles)
     : formula_(parameters.factor.formula),
@@ -13,32 +21,33 @@ LocalContactFactor<D>::LocalContactFactor(const Parameters& parameters, const La
       fraction_per_particle_(parameters.weight * particle_volume(D, parameters.diameter) /
                              cells.grid().cell_volume()),
       densest_(densest_fraction(D)),
-      window_(cells, periodic, particles / cells.grid().size(), smoothed_ ? window_particles(parameters) : 0),
+      window_(cells, periodic,
+              smoothed_ ? static_cast<int>(window_cells(parameters, cells, particles) / 2) : 0),
       factor_(cells.size()) {}
 
 template <int D>
-double LocalContactFactor<D>::smoothed(std::uint32_t cell) const {
-  const double quantum = fraction_per_particle_ / window_.cells(cell);
-  const double fraction = std::clamp((window_.sum(cell) - 2) * quantum, 0.0, densest_);
+double LocalContactFactor<D>::value(std::uint32_t cell, bool scatters) const {
+  const double sum = window_.sum(cell), quantum = fraction_per_particle_ / window_.cells(cell);
+  const double fraction = scatters ? std::clamp((sum - 2) * quantum, 0.0, densest_)
+                                   : std::min(sum * fraction_per_particle_ / window_.cells(cell), densest_);
   const ContactValue contact = formula_(fraction);
-  return std::max(0.0, contact.value - 0.5 * contact.second_derivative * fraction * quantum);
-}
-
-template <int D>
-double LocalContactFactor<D>::of_density(std::uint32_t cell) const {
-  return formula_(std::min(window_.sum(cell) * fraction_per_particle_ / window_.cells(cell), densest_)).value;
+  const double half = scatters ? 0.5 : 0;
+  return std::max(0.0, contact.value - half * contact.second_derivative * fraction * quantum);
 }
 
 template <int D>
 void LocalContactFactor<D>::update(std::span<const std::uint32_t> offsets, const std::uint8_t* full) {
   window_.update(offsets);
-  const auto counts_as_it_is = [&](std::uint32_t cell) {
-    return !smoothed_ || (full != nullptr && full[cell] != 0);
+  const auto fill = [this](auto scatters) {
+    for (std::uint32_t cell = 0; cell < factor_.size(); ++cell) factor_[cell] = value(cell, scatters(cell));
   };
-  for (std::uint32_t cell = 0; cell < factor_.size(); ++cell)
-    factor_[cell] = counts_as_it_is(cell) ? of_density(cell) : smoothed(cell);
+  if (!smoothed_) return fill([](std::uint32_t) { return false; });
+  if (full == nullptr) return fill([](std::uint32_t) { return true; });
+  fill([full](std::uint32_t cell) { return full[cell] == 0; });
 }
 
+template std::uint32_t window_cells(const Parameters&, const LatticeOfCells<2>&, double);
+template std::uint32_t window_cells(const Parameters&, const LatticeOfCells<3>&, double);
 template class LocalContactFactor<2>;
 template class LocalContactFactor<3>;
 

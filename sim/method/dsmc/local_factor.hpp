@@ -26,6 +26,11 @@ inline double window_particles(const Parameters& parameters) {
   return large ? kLargeWindow : kWindow;
 }
 
+/// Cells across the window that the smoothed density is read from, as `parameters` says; else so many that they hold
+/// window_particles() where `particles` are spread evenly over the box. Of cells on a corner, their half diagonals.
+template <int D>
+std::uint32_t window_cells(const Parameters& parameters, const LatticeOfCells<D>& cells, double particles);
+
 /// Contact factor of every cell from the local density.
 ///
 /// A small cell's own count is a biased measure of the density around a pair: a pair sits more often where many
@@ -48,8 +53,8 @@ class LocalContactFactor {
   std::size_t bytes() const { return factor_.capacity() * sizeof(double) + window_.bytes(); }
 
  private:
-  double smoothed(std::uint32_t cell) const;
-  double of_density(std::uint32_t cell) const;
+  /// Without the two biases where counts scatter by chance, else that of the density as it is.
+  [[gnu::always_inline]] inline double value(std::uint32_t cell, bool scatters) const;
 
   ContactFormula formula_;
   bool smoothed_;

@@ -105,6 +105,30 @@ TEST(LocalContactFactor, OfUniformCountsIsTheFormula) {
   }
 }
 
+/// A density that rises evenly from a wall: right where the window is whole, that of a place half as many cells further
+/// in as the wall has cut from the window elsewhere.
+TEST(LocalContactFactor, OfARisingDensityIsThatOfTheMiddleOfTheWindow) {
+  const Grid<2> grid(Vector<2>(6, 20), {6, 20});
+  constexpr std::uint32_t kWidth = 7;
+  Parameters parameters = parameters_of<2>(40, true);
+  parameters.factor.window = kWidth;
+  std::vector<std::uint32_t> offsets{0};
+  for (std::uint32_t row = 0; row < 20; ++row)
+    for (std::uint32_t cell = 0; cell < 6; ++cell) offsets.push_back(offsets.back() + 20 + 2 * row);
+  LocalContactFactor<2> factor(parameters, grid, {true, false}, 1);
+  factor.update(offsets);
+  const double particle = kFraction<2> / 40;
+  for (std::uint32_t row = 0; row < 16; ++row) {
+    const double cut = row < kWidth / 2 ? kWidth / 2 - row : 0;
+    const double cells = 6 * (kWidth - cut), density = 20 + 2 * (row + cut / 2);
+    const double quantum = particle / cells, fraction = density * particle - 2 * quantum;
+    const ContactValue contact = henderson(fraction);
+    ASSERT_NEAR(factor.values()[6 * row],
+                contact.value - 0.5 * contact.second_derivative * fraction * quantum, 1e-12)
+        << row;
+  }
+}
+
 /// Everything in one cell: denser than any packing, where the formulas run away.
 TEST(LocalContactFactor, StaysFiniteBeyondClosePacking) {
   for (bool smoothed : {false, true}) {

@@ -14,11 +14,11 @@ MixtureContactFactor<D>::MixtureContactFactor(const Parameters& parameters, cons
       of_largest_(parameters.faults.contact_of_largest),
       densest_(densest_fraction(D)),
       largest_(cells.size()) {
+  const int half_width = smoothed_ ? static_cast<int>(window_cells(parameters, cells, particles) / 2) : 0;
   for (const SpeciesTraits& kind : parameters.kinds.species) {
     diameters_.push_back(kind.diameter);
     crowding_.push_back(crowding_of(D, kind.diameter) * (parameters.weight / cells.grid().cell_volume()));
-    windows_.emplace_back(cells, periodic, particles / cells.grid().size(),
-                          smoothed_ ? window_particles(parameters) : 0);
+    windows_.emplace_back(cells, periodic, half_width);
   }
   shares_.assign(cells.size() * diameters_.size() * diameters_.size(), 1);
 }

@@ -33,10 +33,11 @@ struct Gas {
   }
 };
 
-/// Particles in the smallest window that holds enough, see WindowSum.
-double in_window(int dimension, double per_cell, double wanted) {
-  double edge = 1;
-  while (std::pow(edge, dimension) * per_cell < wanted) edge += 2;
+/// Particles in the window of the contact factor, see window_cells().
+double in_window(int dimension, double per_cell, const Parameters& parameters) {
+  double edge = std::max(parameters.factor.window, 1U);
+  if (parameters.factor.window == 0)
+    while (std::pow(edge, dimension) * per_cell < window_particles(parameters)) edge += 2;
   return std::pow(edge, dimension) * per_cell;
 }
 
@@ -62,7 +63,7 @@ double expected_pair_deficit(int dimension, const Parameters& parameters, double
   const double slope = gas.slope(fraction, [&](double nu) { return gas.collisional(nu); });
   const double missing = slope / (1 + slope);
   const double growth = gas.slope(fraction, [&](double nu) { return gas.contact(nu); }) / contact - 1;
-  const double window = in_window(dimension, particles_per_cell, window_particles(parameters));
+  const double window = in_window(dimension, particles_per_cell, parameters);
   if (parameters.pair_count == PairCount::expected) return missing * (1 + 2 * growth) / window;
   const double scatter = 2 * missing * growth / window;
   const double edge = std::pow(particles_per_cell * parameters.weight / number_density, 1.0 / dimension);

@@ -6,6 +6,7 @@
 #include "sim/physics/contact_value.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace sandglass::dsmc {
@@ -23,6 +24,7 @@ struct LocalFactor {
   ContactFormula formula = nullptr;
   bool smoothed = true;  ///< from a window of cells without the pair itself; else from the cell's own count
   int dimension = 0;     ///< of the formula for a mixture
+  std::uint32_t window = 0;  ///< cells across; 0: see window_cells()
 };
 
 /// What candidates come from. counted: the pairs that each cell holds. expected: as many as chance would put into cells of

@@ -38,6 +38,7 @@ namespace {
 constexpr double default_random_offset = 0.5;
 constexpr double least_corrected =
     0.1;  // the corrected offset is d (1 + r) / (2 r): 5.5 d here, no bound below
+constexpr std::uint64_t most_across = 9999;  // cells of a density window
 
 void read_random_offset(Table& table, DsmcOptions& dsmc) {
   if (dsmc.offset == Offset::random) {
@@ -55,6 +56,7 @@ void read(Table& table, MethodOptions& options) {
   DsmcOptions& dsmc = std::get<DsmcOptions>(options);
   table.read_word("contact-factor", "contact factor", dsmc.contact_factor, contact_factor_words());
   table.read_word("density", "density estimate", dsmc.density, density_words());
+  table.read("density-window", dsmc.density_window);
   table.read_word("offset", "offset", dsmc.offset, offset_words());
   read_random_offset(table, dsmc);
   table.read_word("pair-count", "pair count", dsmc.pair_count, pair_count_words());
@@ -68,6 +70,7 @@ void write(Lines& lines, const MethodOptions& options) {
   const DsmcOptions& dsmc = std::get<DsmcOptions>(options);
   lines.add("contact-factor", word_of(contact_factor_words(), dsmc.contact_factor));
   lines.add("density", word_of(density_words(), dsmc.density));
+  lines.add("density-window", dsmc.density_window);
   lines.add("offset", word_of(offset_words(), dsmc.offset));
   if (dsmc.offset == Offset::random) lines.add("random-offset", dsmc.random_offset);
   lines.add("pair-count", word_of(pair_count_words(), dsmc.pair_count));
@@ -97,10 +100,25 @@ void check_time_counter(const DsmcOptions& dsmc, Diagnostics& diagnostics) {
       "that of particles which stay in its cell for some steps");
 }
 
+void check_density_window(const DsmcOptions& dsmc, Diagnostics& diagnostics) {
+  if (!dsmc.density_window || !diagnostics.clean("method.density-window")) return;
+  if (dsmc.contact_factor == ContactFactor::none || dsmc.density != DensityEstimate::smoothed)
+    return diagnostics.report("method.density-window",
+                              "'method.density-window' is used with contact-factor = \"local\" and density = "
+                              "\"smoothed\" only; remove it");
+  if (*dsmc.density_window % 2 == 0 || *dsmc.density_window > most_across)
+    diagnostics.report(
+        "method.density-window",
+        fmt::format("'method.density-window' is {}; allowed: an odd number of cells, 1 to {}: as many to "
+                    "each side of a cell, and the cell",
+                    *dsmc.density_window, most_across));
+}
+
 void check(const Scene& scene, Diagnostics& diagnostics) {
   const DsmcOptions& dsmc = std::get<DsmcOptions>(scene.method.options);
   if (dsmc.density != DensityEstimate::smoothed && dsmc.contact_factor == ContactFactor::none)
     diagnostics.report("method.density", "'method.density' is used with contact-factor = \"local\" only");
+  check_density_window(dsmc, diagnostics);
   check_bounds(diagnostics, "method.random-offset", dsmc.random_offset, between(0, 10));
   if (dsmc.random_offset != 0 && dsmc.offset != Offset::random)
     diagnostics.report("method.random-offset",
@@ -208,6 +226,7 @@ MethodFamily make_family() {
       fitted("dsmc-pb", "dsmc with impact parameters from p(b) = a/(1 - c b^2)")};
   family.keys = {"contact-factor",
                  "density",
+                 "density-window",
                  "offset",
                  "random-offset",
                  "pair-count",

@@ -41,6 +41,7 @@ enum class ImpactDistribution { uniform, fitted };
 struct DsmcOptions {
   ContactFactor contact_factor = ContactFactor::none;
   DensityEstimate density = DensityEstimate::smoothed;
+  std::optional<std::uint64_t> density_window;  ///< cells across; none: enough at the mean density of the box
   Offset offset = Offset::none;
   PairCount pair_count = PairCount::counted;
   double random_offset = 0;  ///< cuba: length of the extra zero-mean offset, in diameters
