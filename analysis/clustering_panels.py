@@ -10,6 +10,7 @@ from analysis.plotting import headed, pyplot, save
 MANY = 30000   # from here on a disk is smaller than a pixel, and the picture shows the area fraction
 CELL = 4.0     # then: edge of a cell, in diameters
 COLUMNS = 4
+HOW = {"dsmc-enskog": "dsmc-enskog into threads too thin and dense", "cba": "cba too coarsely"}
 
 
 @dataclass(frozen=True)
@@ -73,5 +74,6 @@ def draw_frames(runs, stem):
         row[0].set_ylabel(name)
     for panel, time in zip(panels[0], times):
         panel.set_title(f"t/t0 = {time:g}")
-    headed(picture, "Every method clusters; dsmc-enskog into threads too thin and dense, cba too coarsely")
+    how = ", ".join(words for method, words in HOW.items() if method in runs)
+    headed(picture, "Every method clusters" + (f"; {how}" if how else ""))
     save(picture, stem)

@@ -52,8 +52,11 @@ def draw_small(case, stem):
             panel.stairs(share, edges, baseline=None, linewidth=1.8, color=shade(index, len(runs)),
                          label=name.format(run))
         panel.axhline(1, linestyle=":", color=BLACK)
-        panel.set(xlabel="impact parameter b / d", ylim=(0.7, 1.4), title=title)
+        panel.set(xlabel="impact parameter b / d", ylim=(0.7, None), title=title)
         panel.legend(loc="upper left")
+    top = max(panel.get_ylim()[1] for panel in row)
+    for panel in row:
+        panel.set_ylim(top=top)
     row[0].set_ylabel("P(b/d)")
     finish(picture, "3.8", "Elastic gases have even impact parameters, dissipation makes them grazing", stem)
 

@@ -46,6 +46,7 @@ def draw_dilute(case, stem):
 def draw_dense(case, stem):
     runs = sorted(case.choose("crowded-*", OWN), key=lambda run: run.fraction)
     picture, [[panel]] = panels()
+    picture.subplots_adjust(left=0.17)
     for index, run in enumerate(runs):
         series = run.series("energy")
         energy, error = mean_error([item.value / item.value[0] for item in series])

@@ -99,8 +99,8 @@ def draw_slopes(case, stem):
     marks(panel, *rows.T, color="#0072b2", linestyle="none")
     for ratio, name in ((1, "1"), (1 / 2, "1/2"), (1 / 3, "1/3")):
         panel.axhline(ratio, linestyle=":", linewidth=0.8, color=BLACK)
-        panel.annotate(name, (1, ratio), xycoords=("axes fraction", "data"), xytext=(3, 0),
-                       textcoords="offset points", va="center", color=BLACK)
+        panel.annotate(name, (0, ratio), xycoords=("axes fraction", "data"), xytext=(4, 2),
+                       textcoords="offset points", color=BLACK)
     panel.set(xlabel="restitution r", ylabel="slope (dotted: ratios of a lattice)", ylim=(0, None))
     finish(picture, "3.27", "Slope against restitution", stem)
 

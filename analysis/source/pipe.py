@@ -87,11 +87,14 @@ def draw_spectra(case, stem):
 
 
 def _exponents(case, of, **wanted):
-    """Rows (x, exponent, error) of the check 'pipe-spectrum', sorted."""
+    """Rows (x, exponent, error) of the check 'pipe-spectrum', sorted; of several at one x the longest pipe."""
     chosen = {(run.variant, run.point) for run in _falling(case, **wanted)}
-    rows = [(of(run), item.value, item.stderr or 0.0) for run, item in case.verdicts("pipe-spectrum")
-            if (run.variant, run.point) in chosen and item.value is not None]
-    return np.array(sorted(rows)).reshape(-1, 3)
+    found = {}
+    for run, item in case.verdicts("pipe-spectrum"):
+        if (run.variant, run.point) in chosen and item.value is not None:
+            row = _length(run), item.value, item.stderr or 0.0
+            found[of(run)] = max(row, found.get(of(run), row), key=lambda one: one[0])
+    return np.array([(x, *found[x][1:]) for x in sorted(found)]).reshape(-1, 3)
 
 
 def draw_exponent_restitution(case, stem):
