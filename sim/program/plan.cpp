@@ -45,6 +45,14 @@ std::string work(const Plan& plan) {
                      plan.particle_moves, plan.expected_collisions);
 }
 
+std::string memory(const Plan& plan) {
+  const std::string particles =
+      fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle,
+                  plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6);
+  if (!std::isfinite(plan.bytes_of_samples)) return particles;
+  return particles + fmt::format("; {:.3g} MB of samples", plan.bytes_of_samples / 1e6);
+}
+
 std::string as_text(const Plan& plan) {
   std::vector<std::vector<std::string>> rows = {
       {"method", plan.method},
@@ -53,10 +61,7 @@ std::string as_text(const Plan& plan) {
                             plan.particles_per_cell, plan.cell_size_in_mean_free_paths)},
       {"time step", fmt::format("{:.6g} ({:.3g} collisions per particle)", plan.time_step,
                                 plan.collisions_per_particle_and_step)},
-      {"memory", fmt::format("{:.0f} bytes a particle, {:.3g} MB; samples of all replicas {:.3g} MB",
-                             plan.bytes_per_particle,
-                             plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6,
-                             plan.bytes_of_samples / 1e6)},
+      {"memory", memory(plan)},
       {"work", work(plan)},
       {"columns", joined(plan.columns)},
       {"in use", joined(plan.used)},
