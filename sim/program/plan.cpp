@@ -46,9 +46,10 @@ std::string work(const Plan& plan) {
 }
 
 std::string memory(const Plan& plan) {
-  const std::string particles =
-      fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle,
-                  plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6);
+  std::string particles = "unknown: the scene does not say how many particles come";
+  if (plan.particles > 0)
+    particles = fmt::format("{:.0f} bytes a particle, {:.3g} MB", plan.bytes_per_particle,
+                            plan.bytes_per_particle * static_cast<double>(plan.particles) / 1e6);
   if (!std::isfinite(plan.bytes_of_samples)) return particles;
   return particles + fmt::format("; {:.3g} MB of samples", plan.bytes_of_samples / 1e6);
 }
