@@ -226,7 +226,7 @@ def test_plan_of_a_box_that_a_source_fills_shows_no_infinite_number(tmp_path):
     text = SCENE.replace("{ steps = STEPS }", "{ collisions-per-particle = 20.0 }").replace("area-fraction = 0.05", "count = 0")
     (tmp_path / "pour.toml").write_text(text + "[[source]]\nrate = 1.0\ncentre = [20.0, 20.0]\n")
     assert "unknown" in run("plan", "pour.toml", folder=tmp_path).stdout
-    assert "nan" not in run("plan", "pour.toml", folder=tmp_path).stdout.split()
+    assert not {"nan", "-nan", "inf"} & set(run("plan", "pour.toml", folder=tmp_path).stdout.split())
     assert json.loads(run("plan", "pour.toml", "--json", folder=tmp_path).stdout)["steps"] is None
 
 
