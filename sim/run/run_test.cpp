@@ -339,6 +339,15 @@ Scene rough_mixture() {
   return scene;
 }
 
+/// The same, dense, by the clocks of the cells.
+Scene dense_mixture() {
+  Scene scene = rough_mixture();
+  choose(scene.method, "cba");
+  dsmc_options(scene).cells = {6, 6};
+  dsmc_options(scene).pair_count = PairCount::time_counter;
+  return scene;
+}
+
 double change_of_energy(const Scene& scene, const std::string& fault) {
   RunOptions options;
   options.planted_fault = fault;
@@ -369,8 +378,9 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   few.species[0].fraction = 0.3;
   few.run.duration.steps = 300;
   std::map<std::string, std::vector<Scene>> scenes;
-  for (const Scene& scene : {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"),
-                             beam(), crowd(), falling_entry(), at_contact(), rough_mixture()})
+  for (const Scene& scene :
+       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam(), crowd(),
+        falling_entry(), at_contact(), rough_mixture(), dense_mixture()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))
