@@ -18,7 +18,7 @@ def _arguments():
         command.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
         command.add_argument("--claims", type=Path, default=LEDGER, help="ledger of claims (TOML)")
     source = commands.add_parser("source-figures", help="draw the figures of a source, ours beside its words")
-    source.add_argument("source", help="MUL: Müller 2001, GRE: Greenspan 1972")
+    source.add_argument("source", help="MUL: Müller 2001, GRE: Greenspan 1972, KAW: Kawasaki 1986")
     source.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
     impact = commands.add_parser("impact", help="print c(tau) of an event-driven record as lines of a scene")
     impact.add_argument("record", type=Path, help="with the observer 'impact-parameter'")

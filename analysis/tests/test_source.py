@@ -83,8 +83,8 @@ def test_what_a_report_lacks_is_said(tmp_path):
 
 def test_an_unknown_source_and_a_foreign_report_are_refused(tmp_path):
     report = report_of(tmp_path, "gas", "large", ("hsmc",))
-    with pytest.raises(InputError, match="no figures of a source 'KAW'"):
-        source_figures("KAW", report, tmp_path)
+    with pytest.raises(InputError, match="no figures of a source 'XYZ'"):
+        source_figures("XYZ", report, tmp_path)
     with pytest.raises(InputError, match="no case that draws"):
         source_figures("MUL", report, tmp_path)
 

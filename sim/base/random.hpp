@@ -20,6 +20,8 @@ enum class Purpose : std::uint64_t {
   sources = 9,        ///< step: source, index: its particle; where it appears
   entry = 10,         ///< index: (cell, place); moves into cells that may refuse them
   lattice = 11,       ///< index: 0; where the cells of a step are displaced to
+  inflow = 12,        ///< step: inflow, index: its particle; where, when and how it enters
+  arrivals = 13,      ///< index: inflow; how many enter in a step
 };
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.

@@ -91,6 +91,22 @@ const std::vector<FaultEntry<SceneChange>>& exchange_faults() {
        [](Scene& scene) {
          for (Source& source : scene.sources) source.rate *= 0.9;
        }},
+      {{"inflows-draw-maxwellian", "normal velocities of inflows are Maxwell's instead of its flux"},
+       [](Scene& scene) {
+         for (Inflow& inflow : scene.inflows) inflow.fault = InflowFault::maxwellian;
+       }},
+      {{"inflow-drift-dropped", "inflows come from gases at rest"},
+       [](Scene& scene) {
+         for (Inflow& inflow : scene.inflows) inflow.velocity.clear();
+       }},
+      {{"inflow-remainder-dropped", "inflows let in whole particles of each step and forget the rest"},
+       [](Scene& scene) {
+         for (Inflow& inflow : scene.inflows) inflow.fault = InflowFault::remainder_dropped;
+       }},
+      {{"inflow-off-by-one", "inflows count one particle too few in each step, and draw it once more"},
+       [](Scene& scene) {
+         for (Inflow& inflow : scene.inflows) inflow.fault = InflowFault::off_by_one;
+       }},
   };
   return all;
 }

@@ -10,7 +10,7 @@ using SceneChange = void (*)(Scene&);
 /// Faults of walls, obstacles and gravity, for every family that has them: changes of the scene that the family, the
 /// sources and the time step get, made after the particles were placed.
 const std::vector<FaultEntry<SceneChange>>& boundary_faults();
-/// Those of open sides and sources, for every family whose number of particles may change.
+/// Those of open sides, sources and inflows, for every family whose number of particles may change.
 const std::vector<FaultEntry<SceneChange>>& exchange_faults();
 
 /// Those of the time step, for every family that moves its particles from cell to cell.

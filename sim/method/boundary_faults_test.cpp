@@ -21,6 +21,8 @@ Scene driven_scene() {
   scene.walls[0].surface.probability = 0.25;
   scene.walls[1].surface.temperature = 2;
   scene.obstacles = {{{5, 5}, 1, {SurfaceKind::specular, 0.9}}};
+  scene.inflows.resize(2);
+  scene.inflows[0].velocity = {2, 0};
   scene.sources = {{2, 100, {}, {3, 3}, {}, {}}, {0.5, {}, {}, {6, 3}, {}, {}}};
   return scene;
 }
@@ -59,6 +61,16 @@ TEST(BoundaryFaults, ChangeWhatTheySay) {
   expect_only("open-sides-reflect", [](Scene& scene) {
     scene.domain.sides = {{Side::specular, Side::specular}, {Side::specular, Side::specular}};
   });
+  expect_only("inflows-draw-maxwellian", [](Scene& scene) {
+    scene.inflows[0].fault = scene.inflows[1].fault = InflowFault::maxwellian;
+  });
+  expect_only("inflow-drift-dropped", [](Scene& scene) { scene.inflows[0].velocity.clear(); });
+  expect_only("inflow-remainder-dropped", [](Scene& scene) {
+    scene.inflows[0].fault = scene.inflows[1].fault = InflowFault::remainder_dropped;
+  });
+  expect_only("inflow-off-by-one", [](Scene& scene) {
+    scene.inflows[0].fault = scene.inflows[1].fault = InflowFault::off_by_one;
+  });
   expect_only("source-rate-minus-10-percent", [](Scene& scene) {
     scene.sources[0].rate = 0.9 * 2;
     scene.sources[1].rate = 0.9 * 0.5;
@@ -67,7 +79,7 @@ TEST(BoundaryFaults, ChangeWhatTheySay) {
 
 TEST(BoundaryFaults, NoneChangesNothing) {
   EXPECT_EQ(with_scene_fault(driven_scene(), ""), driven_scene());
-  EXPECT_EQ(boundary_faults().size() + exchange_faults().size() + step_faults().size(), 15u);
+  EXPECT_EQ(boundary_faults().size() + exchange_faults().size() + step_faults().size(), 19u);
 }
 
 /// Each mirror gets a table, whether the scene has one or not; the open and the thermal side stay as they are.

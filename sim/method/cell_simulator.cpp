@@ -43,6 +43,15 @@ void CellSimulator<D>::insert(const Particles<D>& particles) {
   store_.sort();
 }
 
+/// They wait for the sort at the end of the step.
+template <int D>
+void CellSimulator<D>::enter(const Entrants<D>& entrants, double dt, std::uint64_t step) {
+  if (!entrance_) entrance_ = std::make_unique<motion::Entrance<D>>(motion_parameters_, store_.grid().box());
+  const motion::Arrived<D> arrived = entrance_->fly(entrants, motion_step(dt, step));
+  for (const Vector<D>& position : arrived.left) count_one_who_leaves(position);
+  store_.insert(arrived.particles);
+}
+
 template <int D>
 void CellSimulator<D>::remove(std::span<const std::uint32_t> places) {
   store_.stay(places);

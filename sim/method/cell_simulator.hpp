@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/simulator.hpp"
+#include "sim/motion/entrance.hpp"
 #include "sim/motion/motion_stage.hpp"
 
 #include <memory>
@@ -23,6 +24,7 @@ class CellSimulator : public Simulator<D> {
   std::span<const std::uint64_t> ids() const override { return store_.ids(); }
   std::uint64_t size() const override { return store_.size(); }
   void insert(const Particles<D>& particles) override;
+  void enter(const Entrants<D>& entrants, double dt, std::uint64_t step) override;
   void remove(std::span<const std::uint32_t> places) override;
   Tally& tally() override { return tally_; }
   /// Those who have left by open sides; nothing in a box without one.
@@ -55,7 +57,8 @@ class CellSimulator : public Simulator<D> {
   double weight_;
   motion::MotionParameters<D> motion_parameters_;
   std::unique_ptr<motion::MotionStage<D>> motion_;
-  double time_ = 0;  ///< since assign(): moving walls ask
+  std::unique_ptr<motion::Entrance<D>> entrance_;  ///< since the first enter()
+  double time_ = 0;                                ///< since assign(): moving walls ask
   std::array<std::array<std::uint64_t, 2>, D>
       left_{};  ///< since assign(), by axis: over the low, the high side
 };

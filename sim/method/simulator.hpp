@@ -25,6 +25,9 @@ class Simulator {
   virtual std::uint64_t size() const = 0;
   /// Adds particles between two steps, with new ids; columns that are not given get their initial value.
   virtual void insert(const Particles<D>&) { refuse_other_number("insert"); }
+  /// Takes in, during the coming step, particles that fly by themselves for what is left of it. Called before step(), with
+  /// what that gets.
+  virtual void enter(const Entrants<D>&, double, std::uint64_t) { refuse_other_number("let in"); }
   /// Removes, between two steps, the particles at these places of the view.
   virtual void remove(std::span<const std::uint32_t>) { refuse_other_number("remove"); }
   virtual Tally& tally() = 0;

@@ -13,6 +13,13 @@ struct Body {
   double radius = 0, inertia = 1;  ///< of what spins
 };
 
+/// Kinetic energy, that of the spin included.
+template <int D>
+double energy_of(const Vector<D>& velocity, const Body<D>& body) {
+  Vector<D> own = velocity;
+  return energy_beside<D>(Vector<D>::Zero(), {own, body.spin, body.mass, body.radius, body.inertia});
+}
+
 /// The bodies of the particles of a store: all alike, or by their columns.
 template <int D>
 class Bodies {
@@ -26,6 +33,10 @@ class Bodies {
       : mass_(parameters.mass), traits_(parameters.species) {
     if (!traits_.empty()) species_ = store.columns().get(column::species).data();
   }
+
+  /// Of particles outside a store; null: all of the first species, or without spin.
+  Bodies(const MotionParameters<D>& parameters, const std::uint8_t* species, Spin<D>* spins)
+      : mass_(parameters.mass), traits_(parameters.species), species_(species), spins_(spins) {}
 
   Body<D> operator[](std::size_t i) const {
     if (traits_.empty()) return {mass_};

@@ -50,14 +50,17 @@ void BoundedFlight<D>::fly(Phase<D>& particle, const Body<D>& body, Random& rand
   double time = step_.time, left = step_.dt;
   wrap_around(particle.position);
   put_inside(time, particle.position);
-  if (surfaces_.has_left(particle.position)) return;
+  if (leaves(particle, body, counters.impulses)) return;
   int hits = 0, pieces = 0;
   while (left > 0 && hits < kMostHits) {
     const Event event = first_event(particle, time, left);
     left -= event.delay;
     time = end - left;
     move(particle, event, time, counters.planes);
-    if (event.kind == Event::Kind::exit) return;
+    if (event.kind == Event::Kind::exit) {
+      leaves(particle, body, counters.impulses);
+      return;
+    }
     if (event.kind == Event::Kind::wall || event.kind == Event::Kind::obstacle) {
       turn_at(event, time, particle, body, random, counters.impulses);
       if (++hits == kMostHits && counters.impulses != nullptr && event.kind == Event::Kind::wall)
@@ -207,6 +210,16 @@ void BoundedFlight<D>::turn_at(const Event& event, double time, Phase<D>& partic
     reflect<D>(obstacle.rule, (particle.position - obstacle.centre).normalized(), Vector<D>::Zero(), touching,
                random);
   }
+}
+
+template <int D>
+bool BoundedFlight<D>::leaves(const Phase<D>& particle, const Body<D>& body,
+                              WallImpulses<D>* impulses) const {
+  const OpenSide* side = surfaces_.left_by(particle.position);
+  if (side != nullptr && impulses != nullptr)
+    impulses->add(WallImpulses<D>::side(side->axis, side->inward < 0), body.mass * particle.velocity,
+                  Vector<D>::Zero(), energy_of(particle.velocity, body));
+  return side != nullptr;
 }
 
 template <int D>

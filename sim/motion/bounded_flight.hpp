@@ -26,7 +26,7 @@ class BoundedFlight {
       : surfaces_(surfaces), gravity_(surfaces.parameters.gravity), box_(box), step_(step) {}
 
   /// What starts behind a wall or in an obstacle is first put on the nearest point of the surface. Who leaves by an open
-  /// side is left outside the box.
+  /// side is left outside the box; the side takes its momentum and energy.
   void fly(Phase<D>& particle, const Body<D>& body, Random& random, const FlightCounters<D>& counters) const;
 
  private:
@@ -48,6 +48,8 @@ class BoundedFlight {
   void place_on(const Event& event, double time, Vector<D>& x) const;
   void turn_at(const Event& event, double time, Phase<D>& particle, const Body<D>& body, Random& random,
                WallImpulses<D>* impulses) const;
+  /// False unless it has left the box.
+  bool leaves(const Phase<D>& particle, const Body<D>& body, WallImpulses<D>* impulses) const;
   /// The wall carries what stays on it.
   void rest_on(std::size_t wall, double time, double left, double mass, WallImpulses<D>& impulses) const;
   /// Out of obstacles and in front of walls.

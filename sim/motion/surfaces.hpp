@@ -55,11 +55,13 @@ template <int D>
 struct Surfaces {
   Surfaces(const MotionParameters<D>& parameters, const Vector<D>& box);
 
-  bool has_left(const Vector<D>& x) const {
+  /// The side by which a particle there has left the box; null: by none.
+  const OpenSide* left_by(const Vector<D>& x) const {
     for (const OpenSide& side : open)
-      if (side.height(x[side.axis]) < 0) return true;
-    return false;
+      if (side.height(x[side.axis]) < 0) return &side;
+    return nullptr;
   }
+  bool has_left(const Vector<D>& x) const { return left_by(x) != nullptr; }
 
   MotionParameters<D> parameters;
   std::vector<WallSurface<D>> walls;  ///< the sides of each walled axis that are not open, low side first

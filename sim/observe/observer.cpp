@@ -15,6 +15,7 @@
 #include "sim/observe/rotation.hpp"
 #include "sim/observe/species.hpp"
 #include "sim/observe/species_density.hpp"
+#include "sim/observe/spin_temperature.hpp"
 #include "sim/observe/structure_factor.hpp"
 #include "sim/observe/two_fluids.hpp"
 #include "sim/observe/wall_force.hpp"
@@ -94,6 +95,8 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
       {"energy-flux", [](Spec spec, std::size_t) { return list<D>(make_unique<EnergyFlux<D>>(spec)); }},
       {"species-density",
        [](Spec spec, std::size_t) { return list<D>(make_unique<SpeciesDensity<D>>(spec)); }},
+      {"spin-temperature",
+       [](Spec spec, std::size_t) { return list<D>(make_unique<SpinTemperature<D>>(spec)); }},
       {"fields", [](Spec spec, std::size_t) { return list<D>(make_unique<Fields<D>>(spec)); }},
       {"two-fluids",
        [](Spec spec, std::size_t) {

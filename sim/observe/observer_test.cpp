@@ -76,7 +76,7 @@ const char* const kWords[] = {
     "collisions",       "pressure",        "crossings",         "fields",           "shear-mode",
     "impact-parameter", "overlap",         "rotational-energy", "pair-correlation", "structure-factor",
     "pair-velocity",    "centre-of-mass",  "free-surface",      "kinetic-stress",   "wall-force",
-    "two-fluids",       "species-density", "energy-flux",       "species"};
+    "two-fluids",       "species-density", "energy-flux",       "species",          "spin-temperature"};
 
 template <int D>
 void expect_shape_as_declared() {

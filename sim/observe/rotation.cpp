@@ -17,14 +17,15 @@ double twice_energy(const View<D>& view, const All& all) {
          })[0];
 }
 
-template <int D>
-void require_spins(const View<D>& view) {
-  if (view.columns.get(column::spin<D>).empty())
-    throw InputError(
-        "the observer 'rotational-energy' needs particles that spin; give a species "
-        "'tangential-restitution' or remove the observer");
-}
 }  // namespace
+
+template <int D>
+void require_spins(const View<D>& view, const std::string& observer) {
+  if (!view.particles.empty() && view.columns.get(column::spin<D>).empty())
+    throw InputError("the observer '" + observer +
+                     "' needs particles that spin; give a species 'tangential-restitution' or remove the "
+                     "observer");
+}
 
 template <int D>
 Quantity RotationalEnergy<D>::quantity() const {
@@ -33,7 +34,7 @@ Quantity RotationalEnergy<D>::quantity() const {
 
 template <int D>
 void RotationalEnergy<D>::start(const View<D>& view) {
-  require_spins(view);
+  require_spins(view, "rotational-energy");
 }
 
 template <int D>
@@ -50,7 +51,7 @@ Quantity RotationalTemperature<D>::quantity() const {
 
 template <int D>
 void RotationalTemperature<D>::start(const View<D>& view) {
-  require_spins(view);
+  require_spins(view, "rotational-energy");
 }
 
 template <int D>
@@ -61,6 +62,8 @@ std::vector<double> RotationalTemperature<D>::measure(const View<D>& view) {
   });
 }
 
+template void require_spins(const View<2>&, const std::string&);
+template void require_spins(const View<3>&, const std::string&);
 template class RotationalEnergy<2>;
 template class RotationalEnergy<3>;
 template class RotationalTemperature<2>;

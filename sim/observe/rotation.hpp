@@ -4,6 +4,10 @@
 
 namespace sandglass {
 
+/// Throws InputError, with the name of the observer that asks, where particles have no spin.
+template <int D>
+void require_spins(const View<D>& view, const std::string& observer);
+
 /// Rotational energy sum I w^2 / 2 of all real particles.
 template <int D>
 class RotationalEnergy final : public Observer<D> {

@@ -1,7 +1,10 @@
 #include "sim/observe/rotation.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/observe/spin_temperature.hpp"
 #include "sim/observe/test_view.hpp"
+
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -55,8 +58,30 @@ TEST(Rotation, OfAMixture) {
   expect_energy(spheres, 3);
 }
 
+/// The bins together hold the energy of all: mean over particles of what their bin shows.
+TEST(Rotation, OfBinsAddsUp) {
+  auto spheres = spinning<3>(100, 6);
+  for (std::size_t i = 0; i < 100; ++i) spheres.species.push_back(i % 5 == 0);
+  spheres.traits.push_back({2, 5, 7});
+  ObserverSpec spec;
+  spec.grid = {2, 1, 4};
+  SpinTemperature<3> bins(spec);
+  bins.start(spheres.view());
+  const std::vector<double> values = bins.measure(spheres.view());
+  ASSERT_EQ(values.size(), 8u);
+  double sum = 0;
+  for (const Phase<3>& particle : spheres.particles) {
+    const double x = std::floor(particle.position[0] / 2), z = std::floor(particle.position[2]);
+    sum += values[static_cast<std::size_t>(4 * x + z)];
+  }
+  EXPECT_NEAR(sum / 100 / RotationalTemperature<3>().measure(spheres.view())[0], 1, 1e-13);
+}
+
 TEST(Rotation, SmoothParticlesAreRefused) {
   auto system = random_system<2>(Vector<2>::Constant(4), 10, 5);
+  ObserverSpec spec;
+  spec.grid = {1, 1};
+  EXPECT_THROW(SpinTemperature<2>(spec).start(system.view()), InputError);
   EXPECT_THROW(RotationalEnergy<2>().start(system.view()), InputError);
   EXPECT_THROW(RotationalTemperature<2>().start(system.view()), InputError);
 }

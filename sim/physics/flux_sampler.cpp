@@ -1,18 +1,23 @@
 #include "sim/physics/flux_sampler.hpp"
 
+#include "sim/base/maxwellian_flux.hpp"
+
 #include <cmath>
 
 #include <boost/random/normal_distribution.hpp>
 
 namespace sandglass {
 
+namespace {
+/// Positive root of 2 x (x - s) = 1; far up the stream s itself, to the last digit.
+double mode_of(double ratio) { return ratio < 1e8 ? (ratio + std::sqrt(ratio * ratio + 2)) / 2 : ratio; }
+}  // namespace
+
 FluxSampler::FluxSampler(double stream, double thermal)
-    : stream_(stream),
-      thermal_(thermal),
-      ratio_(stream / (M_SQRT2 * thermal)),
-      mode_((ratio_ + std::sqrt(ratio_ * ratio_ + 2)) / 2) {}
+    : stream_(stream), thermal_(thermal), ratio_(stream / (M_SQRT2 * thermal)), mode_(mode_of(ratio_)) {}
 
 double FluxSampler::operator()(Random& random) const {
+  if (!(thermal_ > 0)) return stream_;
   return M_SQRT2 * thermal_ * (ratio_ > -0.5 ? forward(random) : backward(random));
 }
 
@@ -34,9 +39,19 @@ double FluxSampler::backward(Random& random) const {
   }
 }
 
-double FluxSampler::rate() const {
-  const double a = stream_ / thermal_;
-  return thermal_ * std::exp(-0.5 * a * a) / std::sqrt(2 * M_PI) + stream_ * 0.5 * std::erfc(-a * M_SQRT1_2);
+double FluxSampler::rate() const { return maxwellian_flux(stream_, thermal_); }
+
+template <int D>
+Vector<D> StreamFlux<D>::operator()(Random& random) const {
+  boost::random::normal_distribution<double> normal;
+  Vector<D> velocity = stream_;
+  velocity[axis_] = direction_ * normal_(random);
+  for (int axis = 0; axis < D; ++axis)
+    if (axis != axis_) velocity[axis] += thermal_ * normal(random);
+  return velocity;
 }
+
+template class StreamFlux<2>;
+template class StreamFlux<3>;
 
 }  // namespace sandglass

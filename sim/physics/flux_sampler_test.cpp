@@ -100,6 +100,76 @@ TEST(FluxSampler, RateIsTheIntegralOfTheDensity) {
   }
 }
 
+/// Mean and error of f of `count` velocities that pass along +x or -x.
+template <int D>
+Mean mean_over(const StreamFlux<D>& flux, int count, double (*f)(const Vector<D>&)) {
+  Random random(StreamKey(3, Purpose::inflow, 0, 0), D);
+  std::vector<double> values(static_cast<std::size_t>(count));
+  for (double& value : values) value = f(flux(random));
+  return mean_of_independent(values);
+}
+
+double density_of(double a) { return std::exp(-a * a / 2) / std::sqrt(2 * M_PI); }
+double share_below(double a) { return std::erfc(-a * M_SQRT1_2) / 2; }
+
+/// Number, momentum and energy that a drifting Maxwellian sends through a plane, of mass and number density one. With
+/// a = U/s: E[v; v > 0] = U F(a) + s f(a), E[v^2; v > 0] = (U^2 + s^2) F + U s f, E[v^3; v > 0] = (U^3 + 3 U s^2) F +
+/// (U^2 + 2 s^2) s f, F and f the normal distribution and its density.
+template <int D>
+void expect_fluxes(double ratio) {
+  const double s = kThermal, stream = M_SQRT2 * ratio * s, along = 0.6, a = stream / s;
+  const double number = stream * share_below(a) + s * density_of(a);
+  const double momentum = (stream * stream + s * s) * share_below(a) + stream * s * density_of(a);
+  const double cube = (stream * stream * stream + 3 * stream * s * s) * share_below(a) +
+                      (stream * stream + 2 * s * s) * s * density_of(a);
+  for (const double direction : {1.0, -1.0}) {
+    Vector<D> drift = Vector<D>::Constant(along);
+    drift[0] = direction * stream;
+    const StreamFlux<D> flux(drift, s, 0, direction);
+    EXPECT_NEAR(flux.rate() / number, 1, 1e-9) << ratio;
+    const auto expect = [&](double (*f)(const Vector<D>&), double per_particle) {
+      const Mean mean = mean_over<D>(flux, 100'000, f);
+      EXPECT_NEAR(mean.value, per_particle, 4.5 * mean.standard_error) << "S " << ratio << " in " << D;
+    };
+    expect([](const Vector<D>& v) { return std::abs(v[0]); }, momentum / number);
+    expect([](const Vector<D>& v) { return v[1]; }, along);
+    expect([](const Vector<D>& v) { return v.squaredNorm() / 2; },
+           (cube / number + (D - 1) * (along * along + s * s)) / 2);
+    expect([](const Vector<D>& v) { return static_cast<double>(v[0] > 0); }, direction > 0);
+  }
+}
+
+TEST(StreamFlux, CarriesTheClosedFormsOfAMaxwellian) {
+  for (const double ratio : {-3.0, -1.0, -0.4, 0.0, 0.5, 2.2567, 10.0}) {
+    expect_fluxes<2>(ratio);
+    expect_fluxes<3>(ratio);
+  }
+}
+
+TEST(StreamFlux, OfABeamIsTheBeam) {
+  Random random(StreamKey(3, Purpose::inflow, 0, 0), 0);
+  const StreamFlux<3> beam({-2, 0.5, 0.25}, 0, 0, -1);
+  EXPECT_EQ(beam.rate(), 2);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(beam(random), Vector<3>(-2, 0.5, 0.25));
+  EXPECT_EQ(StreamFlux<3>({2, 0, 0}, 0, 0, -1).rate(), 0);
+  EXPECT_EQ(StreamFlux<3>({0, 1, 0}, 0, 0, 1).rate(), 0);
+}
+
+/// As cold as numbers get, and as far against the stream: nothing overflows, and nobody moves the wrong way.
+TEST(StreamFlux, HoldsForExtremeStreams) {
+  for (const double thermal : {1e-300, 1e-160, 1e-9, 1e9}) {
+    Random random(StreamKey(3, Purpose::inflow, 0, 1), 0);
+    const StreamFlux<2> with({1, 0}, thermal, 0, 1), against({-1, 0}, thermal, 0, 1);
+    EXPECT_GE(against.rate(), 0);
+    EXPECT_TRUE(std::isfinite(with.rate()));
+    for (int i = 0; i < 20; ++i) {
+      EXPECT_GT(with(random)[0], 0);
+      EXPECT_GE(against(random)[0], 0);
+      EXPECT_TRUE(with(random).allFinite());
+    }
+  }
+}
+
 TEST(FluxSampler, RatesOfBothSidesDifferByTheStream) {
   const double up = FluxSampler(0.8, kThermal).rate(), down = FluxSampler(-0.8, kThermal).rate();
   EXPECT_NEAR(up - down, 0.8, 1e-14);

@@ -1,4 +1,5 @@
 #include "sim/method/collision_rate.hpp"
+#include "sim/observe/axes.hpp"
 #include "sim/run/setup.hpp"
 #include "sim/scene/method/family.hpp"
 
@@ -70,6 +71,7 @@ void list_features(const Setup<D>& setup, Plan& plan) {
   plan.feature("walls", walled);
   if (capabilities(scene).varying_number) plan.feature("open sides", has_open_side(scene.domain));
   if (capabilities(scene).varying_number) plan.feature("sources", !scene.sources.empty());
+  if (capabilities(scene).varying_number) plan.feature("inflows", !scene.inflows.empty());
   if (capabilities(scene).obstacles) plan.feature("obstacles", !scene.obstacles.empty());
   plan.feature("trajectory", scene.output.trajectory.has_value());
   plan.feature("checkpoints", scene.output.checkpoint.has_value());
@@ -81,17 +83,34 @@ void list_features(const Setup<D>& setup, Plan& plan) {
   }
 }
 
+/// An open side that no inflow feeds is one to vacuum: what a stream beyond it would send back is not there.
+void warn_of_vacuum(const Scene& scene, Plan& plan) {
+  if (scene.inflows.empty()) return;
+  for (std::size_t axis = 0; axis < scene.domain.sides.size(); ++axis)
+    for (const bool high : {false, true}) {
+      const auto here = [&](const Inflow& inflow) {
+        return inflow.axis == static_cast<int>(axis) && inflow.high == high;
+      };
+      if (scene.domain.sides[axis][high] != Side::open || std::ranges::any_of(scene.inflows, here)) continue;
+      plan.warnings.push_back(fmt::format(
+          "nothing comes in by the open side {}-{}, a vacuum: a gas there that streams as the inflow would "
+          "send in {:.2g} times as many particles per area",
+          axis_name(static_cast<int>(axis)), high ? "high" : "low", neglected_return(scene, axis, high)));
+    }
+}
+
 template <int D>
 Plan plan_of(const Scene& scene) {
   const Setup<D> setup = set_up<D>(scene, {});
   Plan plan;
   plan.method = scene.method.preset;
   plan.replicas = scene.run.replicas;
-  plan.particles = setup.particles + poured_count(scene);
+  plan.particles = setup.particles + added_count(scene);
   expect_work(setup, plan);
   plan.bytes_of_samples = bytes_of_samples(setup, plan);
   setup.method->plan(plan);
   list_features(setup, plan);
+  warn_of_vacuum(scene, plan);
   return plan;
 }
 

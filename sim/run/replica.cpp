@@ -35,6 +35,7 @@ ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const S
       simulator_(setup.method->build(streams, {&planes_, trace_.get(), impulses_.get()})),
       stepper_(setup) {
   if (!setup.sources.empty()) sources_.emplace(setup, streams);
+  if (!setup.inflows.empty()) inflows_.emplace(setup, streams);
   std::size_t plane = 0;
   for (std::size_t i = 0; i < setup.observers.size(); ++i) {
     for (auto& observer : make_observers<D>(setup.observers[i], plane)) {
@@ -64,12 +65,20 @@ void ReplicaRun<D>::start() {
   if (frames_) trajectory_.push_back(frame_of(view()));
 }
 
+/// Steps of one length are counted, so that no rounding adds up.
+template <int D>
+double ReplicaRun<D>::time_after(double dt) const {
+  return scene_.method.time_step.fixed ? static_cast<double>(clock_.step + 1) * dt : clock_.time + dt;
+}
+
 template <int D>
 void ReplicaRun<D>::step() {
   const double dt = stepper_.looks(clock_.step) ? stepper_.next(view(), clock_.step) : stepper_.current();
+  const double end = time_after(dt);
+  if (inflows_) inflows_->enter(*simulator_, clock_, dt, end);
   simulator_->step(dt, clock_.step);
   ++clock_.step;
-  clock_.time = scene_.method.time_step.fixed ? static_cast<double>(clock_.step) * dt : clock_.time + dt;
+  clock_.time = end;
   clock_.collisions = collisions_.per_particle(simulator_->tally().collisions, simulator_->size());
   if (sources_) sources_->pour(*simulator_, clock_);
   sample_what_is_due();
@@ -88,7 +97,8 @@ void ReplicaRun<D>::refuse_standstill() const {
   const double wanted = *scene_.run.duration.collisions;
   const double poured =
       sources_ ? std::accumulate(sources_->poured().begin(), sources_->poured().end(), 0.0) : 0;
-  const bool more = std::ranges::any_of(scene_.sources, [](const Source& source) { return !source.count; }) ||
+  const bool more = inflows_ ||
+                    std::ranges::any_of(scene_.sources, [](const Source& source) { return !source.count; }) ||
                     poured < static_cast<double>(poured_count(scene_));
   if (simulator_->size() < 2 && !more && clock_.collisions < wanted)
     throw RunError(fmt::format(
@@ -131,6 +141,7 @@ std::map<std::string, double> ReplicaRun<D>::counters() {
   std::map<std::string, double> counters = simulator_->counters();
   if (sources_)
     counters["particles-poured"] = std::accumulate(sources_->poured().begin(), sources_->poured().end(), 0.0);
+  if (inflows_) counters.merge(inflows_->counters());
   counters["steps"] = static_cast<double>(clock_.step);
   counters["collisions"] = static_cast<double>(tally.collisions);
   counters["candidates"] = static_cast<double>(tally.candidates);
@@ -145,6 +156,7 @@ State ReplicaRun<D>::save() {
   state.memory["time-step"] = stepper_.save();
   state.memory["collisions"] = collisions_.save();
   if (sources_) state.memory["sources"] = sources_->poured();
+  if (inflows_) state.memory["inflows"] = inflows_->entered();
   if (trace_) state.memory["event-trace"] = {static_cast<double>(trace_->flush())};
   if (impulses_) state.memory["wall-impulses"] = impulses_->save();
   for (std::size_t i = 0; i < planes_.size(); ++i)
@@ -163,6 +175,7 @@ void ReplicaRun<D>::load(const State& state) {
   stepper_.load(state.memory.at("time-step"));
   collisions_.load(state.memory.at("collisions"));
   if (sources_) sources_->load(state.memory.at("sources"));
+  if (inflows_) inflows_->load(state.memory.at("inflows"));
   clock_ = {state.step, state.time,
             collisions_.per_particle(simulator_->tally().collisions, simulator_->size())};
   if (impulses_) impulses_->load(state.memory.at("wall-impulses"));

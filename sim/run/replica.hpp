@@ -2,6 +2,7 @@
 
 #include "sim/run/collision_count.hpp"
 #include "sim/run/event_trace.hpp"
+#include "sim/run/inflows.hpp"
 #include "sim/run/schedule.hpp"
 #include "sim/run/sources.hpp"
 #include "sim/run/time_step.hpp"
@@ -42,6 +43,7 @@ class ReplicaRun {
   };
 
   void start();
+  double time_after(double dt) const;
   void load(const State& state);
   View<D> view();
   void sample(Watch& watch);
@@ -58,6 +60,7 @@ class ReplicaRun {
   std::unique_ptr<Simulator<D>> simulator_;
   TimeStepper<D> stepper_;
   std::optional<Sources<D>> sources_;
+  std::optional<Inflows<D>> inflows_;
   Clock clock_;
   CollisionCount collisions_;
   std::vector<Watch> watches_;

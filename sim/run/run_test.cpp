@@ -348,6 +348,23 @@ Scene dense_mixture() {
   return scene;
 }
 
+/// A stream that comes in by one side and leaves by the other.
+Scene passing_stream() {
+  Scene scene = test_scene(2, 12, 30);
+  dsmc_options(scene).cells = {6, 6};
+  scene.method.time_step.fixed = 0.1;
+  scene.domain.sides[0] = {Side::open, Side::open};
+  scene.inflows.emplace_back();
+  scene.inflows[0].number_density = 0.2;
+  scene.inflows[0].velocity = {1.5, 0};
+  scene.inflows[0].temperature = 1;
+  scene.inflows[0].arrivals = Arrivals::even;
+  scene.run.duration.steps = 100;
+  scene.observe.emplace_back().what = "energy";
+  scene.observe.back().cadence.every = 100;
+  return scene;
+}
+
 double change_of_energy(const Scene& scene, const std::string& fault) {
   RunOptions options;
   options.planted_fault = fault;
@@ -380,7 +397,7 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   std::map<std::string, std::vector<Scene>> scenes;
   for (const Scene& scene :
        {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam(), crowd(),
-        falling_entry(), at_contact(), rough_mixture(), dense_mixture()})
+        falling_entry(), at_contact(), rough_mixture(), dense_mixture(), passing_stream()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))

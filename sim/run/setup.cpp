@@ -60,9 +60,13 @@ Needs needs_of(const std::vector<ObserverSpec>& observers) {
 template <int D>
 Setup<D> set_up(const Scene& scene, const std::string& planted_fault) {
   const Scene faulty = with_scene_fault(scene, planted_fault);
-  Setup<D> setup{scene,          {},
-                 nullptr,        capabilities(scene).particles ? particle_count(scene) : 0,
-                 faulty.sources, faulty.method.time_step};
+  Setup<D> setup{scene,
+                 {},
+                 nullptr,
+                 capabilities(scene).particles ? particle_count(scene) : 0,
+                 faulty.sources,
+                 faulty.inflows,
+                 faulty.method.time_step};
   choose_ranges(setup.scene);
   for (const Observe& observe : setup.scene.observe) setup.observers.push_back(spec_of(setup.scene, observe));
   setup.method = make_builder<D>({setup.scene, needs_of(setup.observers), planted_fault});

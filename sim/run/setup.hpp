@@ -16,6 +16,7 @@ struct Setup {
   std::unique_ptr<MethodBuilder<D>> method;
   std::uint64_t particles;      ///< at time zero
   std::vector<Source> sources;  ///< of the scene, with a fault if one is planted into them
+  std::vector<Inflow> inflows;  ///< the same
   TimeStep time_step;           ///< the same
 };
 

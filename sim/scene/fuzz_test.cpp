@@ -18,7 +18,7 @@ duration = { collisions-per-particle = 10.0 }
 dimension = 2
 size = [10.0, 20.0]
 [domain.sides]
-y = ["specular", "specular"]
+y = ["specular", "open"]
 [[species]]
 name = "bead"
 area-fraction = 0.2
@@ -27,6 +27,12 @@ restitution = 0.9
 rate = 0.5
 height = 2.0
 centre = [5.0]
+[[inflow]]
+side = "y-high"
+number-density = 0.1
+velocity = [0.0, -1.0]
+temperature = 0.5
+arrivals = "even"
 [method]
 preset = "cuba"
 density-window = 3

@@ -30,14 +30,18 @@ bool read_initial_section(Table& root, Initial& initial) {
   return root.clean("initial.positions") ? given : root.has("particle");
 }
 
+/// What tables may name; nullptr when the species are not known.
+const std::vector<Species>* known_species(Table& root, const Scene& scene) {
+  return root.clean("species") ? &scene.species : nullptr;
+}
+
 void read_particles(Table& root, bool given, int dimension, Scene& scene) {
   if (!given) {
     root.refuse("particle", "is used with positions = \"given\" in [initial] only");
     return;
   }
-  const std::vector<Species>* species = root.clean("species") ? &scene.species : nullptr;
   for (Table& table : root.tables("particle"))
-    read_particle(table, dimension, species, scene.given.emplace_back());
+    read_particle(table, dimension, known_species(root, scene), scene.given.emplace_back());
   if (scene.given.empty() && root.clean("particle"))
     root.report_missing("particle", "positions = \"given\" needs a table headed [[particle]] for each one");
 }
@@ -59,6 +63,8 @@ Scene read_tables(Table& root, Diagnostics& diagnostics) {
   for (Table& table : root.tables("wall")) read_wall(table, scene.walls.emplace_back());
   for (Table& table : root.tables("obstacle")) read_obstacle(table, scene.obstacles.emplace_back());
   for (Table& table : root.tables("source")) read_source(table, scene.sources.emplace_back());
+  for (Table& table : root.tables("inflow"))
+    read_inflow(table, known_species(root, scene), scene.inflows.emplace_back());
   read_particles(root, given, dimension, scene);
   for (Table& table : root.tables("observe")) read_observe(table, scene.observe.emplace_back());
   read_section(root, "output", read_output, scene.output);

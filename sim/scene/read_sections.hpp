@@ -22,6 +22,8 @@ void read_forces(Table& table, std::vector<double>& gravity);
 void read_wall(Table& table, Wall& wall);
 void read_obstacle(Table& table, Obstacle& obstacle);
 void read_source(Table& table, Source& source);
+/// `species`: what it may name; nullptr when that is not known.
+void read_inflow(Table& table, const std::vector<Species>* species, Inflow& inflow);
 /// True when positions = "given".
 bool read_initial(Table& table, Initial& initial);
 /// `species`: what the particle may name; nullptr when that is not known.
@@ -29,6 +31,10 @@ void read_particle(Table& table, int dimension, const std::vector<Species>* spec
 void read_observe(Table& table, Observe& observe);
 void read_output(Table& table, Output& output);
 
+/// A side of the domain, which must be named.
+void read_side(Table& table, int& axis, bool& high);
+/// The index of the species that is named; `species`: as of read_particle().
+void read_species_name(Table& table, const std::vector<Species>* species, std::size_t& index);
 /// The one of time, steps and collisions-per-particle that the table gives; reports none and more than one.
 Duration read_duration(Table& table);
 /// Reads `key = { time | steps | collisions-per-particle }`.

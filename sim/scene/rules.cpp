@@ -29,6 +29,8 @@ const std::vector<Rule>& all_rules() {
       {{"domain", "species", "method", "particle"}, check_packing},
       {{"domain.dimension", "forces"}, check_gravity},
       {{"domain", "source"}, check_sources},
+      {{"domain", "species", "inflow"}, check_inflows},
+      {{"domain", "species", "method"}, check_step_of_empty_box},
       {{"domain.dimension"}, check_initial},
       {{"domain", "species", "method", "initial.positions"}, check_overlap},
       {{"domain.dimension", "domain.size"}, check_observers},

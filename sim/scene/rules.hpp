@@ -28,12 +28,18 @@ void check_observers(const Scene& scene, Diagnostics& diagnostics);
 void check_walls(const Scene& scene, Diagnostics& diagnostics);
 void check_obstacles(const Scene& scene, Diagnostics& diagnostics);
 void check_sources(const Scene& scene, Diagnostics& diagnostics);
+void check_inflows(const Scene& scene, Diagnostics& diagnostics);
 void check_given(const Scene& scene, Diagnostics& diagnostics);
 void check_spins(const Scene& scene, Diagnostics& diagnostics);
 /// Of the family itself, on its keys and what they need.
 void check_family(const Scene& scene, Diagnostics& diagnostics);
 /// What the scene asks of a method that cannot do it.
 void check_capabilities(const Scene& scene, Diagnostics& diagnostics);
+
+/// Whether the domain has this axis; reports a side of the third axis in two dimensions.
+bool check_side(const Domain& domain, int axis, bool high, const std::string& path, Diagnostics& diagnostics);
+/// Without a particle at the start there is neither a temperature, a collision rate nor a largest speed.
+void check_step_of_empty_box(const Scene& scene, Diagnostics& diagnostics);
 
 void check_rough(double tangential_restitution, const std::optional<double>& friction,
                  const std::string& path, Diagnostics& diagnostics);

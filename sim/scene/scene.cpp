@@ -1,6 +1,7 @@
 #include "sim/scene/scene.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/maxwellian_flux.hpp"
 #include "sim/scene/method/family.hpp"
 
 #include <algorithm>
@@ -111,6 +112,39 @@ std::uint64_t poured_count(const Scene& scene) {
   }
   constexpr double largest = 9.2e18;
   return static_cast<std::uint64_t>(std::min(total, largest));
+}
+
+std::uint64_t added_count(const Scene& scene) {
+  double filled = 0;
+  for (const Inflow& inflow : scene.inflows) filled += inflow.number_density;
+  filled *= volume(scene.domain) / scene.method.weight;
+  const double missing = filled - static_cast<double>(particle_count(scene));
+  constexpr double largest = 9.2e18;
+  return poured_count(scene) + static_cast<std::uint64_t>(std::clamp(missing, 0.0, largest / 2));
+}
+
+namespace {
+/// Of the inflow's particles per area and time that move inwards through a side with that inward normal.
+double flux_into(const Scene& scene, const Inflow& inflow, std::size_t axis, bool high) {
+  const double stream = inflow.velocity.empty() ? 0 : inflow.velocity[axis];
+  const double thermal = std::sqrt(inflow.temperature / scene.species[inflow.species].mass);
+  return inflow.number_density * maxwellian_flux(high ? -stream : stream, thermal);
+}
+}  // namespace
+
+double inflow_rate(const Scene& scene, const Inflow& inflow) {
+  const auto axis = static_cast<std::size_t>(inflow.axis);
+  return flux_into(scene, inflow, axis, inflow.high) * volume(scene.domain) / scene.domain.size[axis] /
+         scene.method.weight;
+}
+
+double neglected_return(const Scene& scene, std::size_t axis, bool high) {
+  double entering = 0, missing = 0;
+  for (const Inflow& inflow : scene.inflows) {
+    entering += flux_into(scene, inflow, static_cast<std::size_t>(inflow.axis), inflow.high);
+    missing += flux_into(scene, inflow, axis, high);
+  }
+  return missing / entering;
 }
 
 std::optional<std::size_t> gravity_axis(const Scene& scene) {

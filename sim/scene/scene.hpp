@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/scene/domain/domain.hpp"
+#include "sim/scene/inflow/inflow.hpp"
 #include "sim/scene/initial/initial.hpp"
 #include "sim/scene/method/method.hpp"
 #include "sim/scene/observe/observe.hpp"
@@ -29,6 +30,7 @@ struct Scene {
   std::vector<Wall> walls;      ///< sides not listed are plain specular or periodic
   std::vector<Obstacle> obstacles;
   std::vector<Source> sources;
+  std::vector<Inflow> inflows;
   Initial initial;
   std::vector<GivenParticle> given;  ///< positions = "given": all particles; else empty
   std::vector<Observe> observe;
@@ -59,6 +61,14 @@ double duration_of(const Scene& scene);
 /// Simulated particles that the sources bring in until the end, as far as the scene says it: with neither a `count` nor an
 /// end in time, none.
 std::uint64_t poured_count(const Scene& scene);
+/// Simulated particles that come on top of those at the start: what sources pour, and what fills the box at the density of
+/// its inflows.
+std::uint64_t added_count(const Scene& scene);
+/// Simulated particles that an inflow lets in per time: the flux of its Maxwellian through the side.
+double inflow_rate(const Scene& scene, const Inflow& inflow);
+/// Of the particles that the inflows let in, the share that a gas beyond the open side, streaming as they do, would send in
+/// there: what an outflow to vacuum neglects.
+double neglected_return(const Scene& scene, std::size_t axis, bool high);
 /// The axis of gravity; none without gravity or with more than one component.
 std::optional<std::size_t> gravity_axis(const Scene& scene);
 /// Of what a source pours, along gravity; 0 unless that has one axis.

@@ -32,6 +32,11 @@ const Words<SurfaceKind>& surface_kind_words() {
   return words;
 }
 
+const Words<Arrivals>& arrivals_words() {
+  static const Words<Arrivals> words = {{"poisson", Arrivals::poisson}, {"even", Arrivals::even}};
+  return words;
+}
+
 const Words<std::pair<int, bool>>& wall_side_words() {
   static const Words<std::pair<int, bool>> words = [] {
     Words<std::pair<int, bool>> sides;

@@ -12,5 +12,6 @@ const Words<Side>& side_words();
 const Words<std::optional<Positions>>& positions_words();  ///< none: "given"
 const Words<SurfaceKind>& surface_kind_words();
 const Words<std::pair<int, bool>>& wall_side_words();  ///< "x-low": axis, high
+const Words<Arrivals>& arrivals_words();
 
 }  // namespace sandglass

@@ -96,6 +96,7 @@ std::string write_scene(const Scene& scene) {
   for (const Wall& wall : scene.walls) write_wall(lines, wall);
   for (const Obstacle& obstacle : scene.obstacles) write_obstacle(lines, obstacle);
   for (const Source& source : scene.sources) write_source(lines, source);
+  for (const Inflow& inflow : scene.inflows) write_inflow(lines, inflow, scene);
   write_method(lines, scene);
   if (!scene.gravity.empty()) {
     lines.header("[forces]");

@@ -9,6 +9,8 @@ namespace sandglass {
 void write_wall(Lines& lines, const Wall& wall);
 void write_obstacle(Lines& lines, const Obstacle& obstacle);
 void write_source(Lines& lines, const Source& source);
+/// It names its species as the scene does.
+void write_inflow(Lines& lines, const Inflow& inflow, const Scene& scene);
 /// The particle names its species as the scene does.
 void write_particle(Lines& lines, const GivenParticle& particle, const Scene& scene);
 

@@ -15,4 +15,18 @@ struct Particles {
   Columns columns;
 };
 
+/// Where and when a particle comes in during a step.
+struct Arrival {
+  int axis = 0;
+  bool high = false;
+  double left = 0;  ///< of the step, from then on
+};
+
+/// Particles that come in during a step, each as it stands and moves on its way through the side.
+template <int D>
+struct Entrants {
+  Particles<D> particles;
+  std::vector<Arrival> arrivals;  ///< of each
+};
+
 }  // namespace sandglass

@@ -56,7 +56,10 @@ std::vector<CheckInfo> join_families() {
                              time_step_checks,
                              repulsion_checks,
                              two_fluid_checks,
-                             symmetry_checks})
+                             symmetry_checks,
+                             stream_checks,
+                             channel_checks,
+                             falling_stream_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
   return all;
 }

@@ -50,6 +50,9 @@ std::vector<CheckInfo> time_step_checks();
 std::vector<CheckInfo> repulsion_checks();
 std::vector<CheckInfo> two_fluid_checks();
 std::vector<CheckInfo> symmetry_checks();
+std::vector<CheckInfo> stream_checks();
+std::vector<CheckInfo> channel_checks();
+std::vector<CheckInfo> falling_stream_checks();
 
 /// One species of smooth particles, periodic on every side, no obstacles, no forces: what the laws of a uniform gas assume.
 bool is_uniform(const Scene& scene);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-// Work of moving walls: exact identities, to rounding.
+// Work of moving walls, and what passes open sides: exact identities, to rounding.
 
 namespace sandglass {
 
@@ -21,16 +21,18 @@ double rounding_bound(const Subject& subject, std::size_t replica) {
   return std::numeric_limits<double>::epsilon() * (2 * subject.particles() + 12 * changes);
 }
 
-double total_work(const Subject& subject, std::size_t replica) {
-  const Series& power = subject.series(replica, "wall-power");
-  const std::size_t width = power.quantity.size();
-  double work = 0, before = 0;
-  for (std::size_t sample = 0; sample < power.samples(); ++sample) {
-    for (std::size_t side = 0; side < width; ++side)
-      work += power.value[sample * width + side] * (power.time[sample] - before);
-    before = power.time[sample];
+/// Integral over time of what all sides together show, of every `stride`-th number from `first` on.
+double total_of_sides(const Subject& subject, std::size_t replica, const std::string& quantity,
+                      std::size_t first = 0, std::size_t stride = 1) {
+  const Series& series = subject.series(replica, quantity);
+  const std::size_t width = series.quantity.size();
+  double total = 0, before = 0;
+  for (std::size_t sample = 0; sample < series.samples(); ++sample) {
+    for (std::size_t side = first; side < width; side += stride)
+      total += series.value[sample * width + side] * (series.time[sample] - before);
+    before = series.time[sample];
   }
-  return work;
+  return total;
 }
 
 Evidence wall_work(const Subject& subject, const law::Arguments&) {
@@ -38,8 +40,9 @@ Evidence wall_work(const Subject& subject, const law::Arguments&) {
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
     const std::vector<double>& energy = subject.series(replica, "energy").value;
     const double most = *std::max_element(energy.begin(), energy.end());
-    keep_worst(evidence.value,
-               std::abs(energy.back() - energy.front() - total_work(subject, replica)) / most);
+    keep_worst(
+        evidence.value,
+        std::abs(energy.back() - energy.front() - total_of_sides(subject, replica, "wall-power")) / most);
     evidence.budget.systematic = std::max(evidence.budget.systematic, 2 * rounding_bound(subject, replica));
   }
   evidence.budget.reason = "rounding of sums, collisions and steps";
@@ -72,6 +75,69 @@ Evidence wall_power(const Subject& subject, const law::Arguments&) {
   return evidence;
 }
 
+/// Energy of a replica at each sample, that of spins included.
+std::vector<double> energies(const Subject& subject, std::size_t replica) {
+  std::vector<double> energy = subject.series(replica, "energy").value;
+  if (is_rough(subject.scene())) {
+    const std::vector<double>& turning = subject.series(replica, "rotational-energy").value;
+    for (std::size_t i = 0; i < energy.size(); ++i) energy[i] += turning.at(i);
+  }
+  return energy;
+}
+
+/// Of a flow through the box: each step rounds the sums of what passes, too.
+double exchange_bound(const Subject& subject, std::size_t replica) {
+  const auto& counters = subject.record().replicas[replica].counters;
+  const double passed = counters.at("particles-entered") + counters.at("particles-left");
+  return rounding_bound(subject, replica) + std::numeric_limits<double>::epsilon() * passed;
+}
+
+/// Along axes without gravity: what the particles gain they have taken from the sides.
+Evidence side_momentum(const Subject& subject, const law::Arguments&) {
+  Evidence evidence;
+  const Scene& scene = subject.scene();
+  const auto width = static_cast<std::size_t>(subject.dimension());
+  for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
+    const std::vector<double>& momentum = subject.series(replica, "momentum").value;
+    const std::vector<double>& scale = subject.series(replica, "momentum-scale").value;
+    for (std::size_t axis = 0; axis < width; ++axis) {
+      if (axis < scene.gravity.size() && scene.gravity[axis] != 0) continue;
+      const double gained = momentum[momentum.size() - width + axis] - momentum[axis];
+      keep_worst(evidence.value,
+                 std::abs(gained + total_of_sides(subject, replica, "wall-force", axis, width)) /
+                     *std::ranges::max_element(scale));
+    }
+    evidence.budget.systematic = std::max(evidence.budget.systematic, 2 * exchange_bound(subject, replica));
+  }
+  evidence.budget.reason = "rounding of sums, collisions and steps";
+  return evidence;
+}
+
+Evidence side_energy(const Subject& subject, const law::Arguments&) {
+  Evidence evidence;
+  for (std::size_t replica = 0; replica < subject.replicas(); ++replica) {
+    const std::vector<double> energy = energies(subject, replica);
+    const double taken =
+        total_of_sides(subject, replica, "wall-heat") - total_of_sides(subject, replica, "wall-power");
+    keep_worst(evidence.value,
+               std::abs(energy.back() - energy.front() + taken) / *std::ranges::max_element(energy));
+    evidence.budget.systematic = std::max(evidence.budget.systematic, 2 * exchange_bound(subject, replica));
+  }
+  evidence.budget.reason = "rounding of sums, collisions and steps";
+  return evidence;
+}
+
+bool has_inflow(const Scene& scene) { return !scene.inflows.empty(); }
+
+/// No collision loses energy, and none is hidden in the height.
+bool keeps_energy_between_sides(const Scene& scene) {
+  return has_inflow(scene) && is_weightless(scene) &&
+         std::ranges::all_of(scene.species, [](const Species& species) {
+           return species.restitution == 1 && std::abs(species.tangential_restitution) == 1 &&
+                  !species.friction;
+         });
+}
+
 bool keeps_energy(const Scene& scene) {
   return is_shear_cell(scene) && scene.species.front().restitution == 1 &&
          wall_at(scene, 1, false).surface.restitution == 1 &&
@@ -95,7 +161,24 @@ std::vector<CheckInfo> wall_balance_checks() {
            false,
            {},
            keeps_energy,
-           wall_work}};
+           wall_work},
+          {"side-momentum",
+           "momentum that the particles gain and the sides, open ones among them, give; over all momenta",
+           "",
+           {"momentum", "momentum-scale", "wall-force"},
+           false,
+           {},
+           has_inflow,
+           side_momentum},
+          {"side-energy",
+           "energy that particles gain which lose none in collisions, and the sides give; over the largest "
+           "energy",
+           "",
+           {"energy", "wall-power", "wall-heat"},
+           false,
+           {},
+           keeps_energy_between_sides,
+           side_energy}};
 }
 
 }  // namespace sandglass

@@ -19,6 +19,7 @@ std::vector<Law> falling_laws();         ///< free fall, collapse under gravity,
 std::vector<Law> vibrated_bed_laws();    ///< energy that a vibrating bottom gives
 std::vector<Law> fluctuation_laws();     ///< counts in a slice and their spectrum
 std::vector<Law> impact_laws();          ///< impact parameters that are not spread evenly
+std::vector<Law> channel_laws();         ///< streams in a channel, with and without gravity
 std::vector<Law> sedimentation_laws();   ///< what a column of gas ends in
 std::vector<Law> diffuse_wall_laws();    ///< heat and shear between thermal walls
 std::vector<Law> rough_laws();           ///< cooling of particles with spin

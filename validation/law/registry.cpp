@@ -13,7 +13,8 @@ std::vector<Law> collect() {
        {equilibrium_laws,  reference_laws,     cooling_laws,  guarded_laws,        velocity_laws,
         flux_laws,         transport_laws,     few_body_laws, free_molecular_laws, sedimentation_laws,
         diffuse_wall_laws, uniform_shear_laws, heap_laws,     falling_laws,        vibrated_bed_laws,
-        fluctuation_laws,  impact_laws,        rough_laws,    mixture_laws,        mixing_laws})
+        fluctuation_laws,  impact_laws,        rough_laws,    mixture_laws,        mixing_laws,
+        channel_laws})
     for (Law& law : topic()) laws.push_back(std::move(law));
   return laws;
 }

@@ -113,7 +113,7 @@ Parameters parameters_of(const Scene& scene) {
   parameters.kinds = kinds_of(scene);
   parameters.weight = scene.method.weight;
   parameters.offset = offset_of(scene);
-  parameters.poured = static_cast<double>(poured_count(scene));
+  parameters.poured = static_cast<double>(added_count(scene));
   parameters.excluded_volume = excluded_volume_of(D, options);
   parameters.impact.coefficient = {options.impact_coefficient.at, options.impact_coefficient.value};
   parameters.pair_count = pair_count_of(options);

@@ -104,7 +104,7 @@ struct Parameters {
   bool measure_transfer = false;
   bool count_by_species = false;  ///< Tally::by_species
   double poured =
-      0;  ///< particles that sources bring in: the window of the local density is chosen for them too
+      0;  ///< particles that sources and inflows bring in: the window of the local density is chosen for them too
   Faults faults;
 };
 

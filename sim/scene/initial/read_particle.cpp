@@ -13,18 +13,19 @@ void read_spin(Table& table, int dimension, std::vector<double>& spin) {
 }
 }  // namespace
 
+void read_species_name(Table& table, const std::vector<Species>* species, std::size_t& index) {
+  if (species == nullptr) return table.skip("species");
+  Words<std::size_t> words;
+  for (std::size_t i = 0; i < species->size(); ++i) words.emplace_back((*species)[i].name, i);
+  table.read_word("species", "species", index, words);
+}
+
 void read_particle(Table& table, int dimension, const std::vector<Species>* species,
                    GivenParticle& particle) {
   table.require("position", particle.position, "one coordinate for each axis");
   table.require("velocity", particle.velocity, "one component for each axis");
   read_spin(table, dimension, particle.spin);
-  if (species) {
-    Words<std::size_t> words;
-    for (std::size_t i = 0; i < species->size(); ++i) words.emplace_back((*species)[i].name, i);
-    table.read_word("species", "species", particle.species, words);
-  } else {
-    table.skip("species");
-  }
+  read_species_name(table, species, particle.species);
   table.finish();
 }
 

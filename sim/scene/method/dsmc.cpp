@@ -128,11 +128,11 @@ void check(const Scene& scene, Diagnostics& diagnostics) {
   check_excluded_volume(scene, dsmc, diagnostics);
   check_impact(dsmc, diagnostics);
   check_cells(dsmc, scene.domain, diagnostics);
-  if (!scene.sources.empty() && dsmc.cells.empty() && !dsmc.cell_size)
-    diagnostics.report(
-        "method",
-        "with a [[source]] the number of particles changes, and the cells cannot follow from that at "
-        "the start: give 'method.cells' or 'method.cell-size'");
+  if (!(scene.sources.empty() && scene.inflows.empty()) && dsmc.cells.empty() && !dsmc.cell_size)
+    diagnostics.report("method",
+                       "with a [[source]] or an [[inflow]] the number of particles changes, and the cells "
+                       "cannot follow from that at "
+                       "the start: give 'method.cells' or 'method.cell-size'");
   check_time_counter(dsmc, diagnostics);
   check_partners(scene, dsmc, diagnostics);
   check_kinds(scene, dsmc, diagnostics);

@@ -75,6 +75,7 @@ void check_boundaries(const Scene& scene, Refusals& refusals) {
     if (can_obstacle(refusals.can))
       check_surface(scene.obstacles[i].surface, item_path("obstacle", i), refusals);
   refusals.unable(!scene.sources.empty(), "source", can_vary);
+  refusals.unable(!scene.inflows.empty(), "inflow", can_vary);
   refusals.unable(!scene.gravity.empty(), "forces.gravity",
                   [](const Capabilities& can) { return can.gravity; });
 }

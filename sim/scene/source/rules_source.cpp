@@ -186,22 +186,22 @@ void check_heights(const Scene& scene, Diagnostics& diagnostics) {
       "each axis");
 }
 
-/// Without a particle there is neither a temperature, a collision rate nor a largest speed.
-void check_step(const Scene& scene, Diagnostics& diagnostics) {
-  if (particle_count(scene) > 0 || scene.method.time_step.fixed) return;
-  diagnostics.report(
-      "method.time-step",
-      fmt::format("'method.time-step' follows from the {} of the particles, and this scene starts without "
-                  "one: give it as a time",
-                  scene.method.time_step.cell_fraction ? "speeds" : "collisions"));
-}
 }  // namespace
 
 void check_sources(const Scene& scene, Diagnostics& diagnostics) {
   check_heights(scene, diagnostics);
   for (std::size_t i = 0; i < scene.sources.size(); ++i) SourceRules(scene, i, diagnostics).check();
-  if (!scene.sources.empty() && diagnostics.clean("species") && diagnostics.clean("method"))
-    check_step(scene, diagnostics);
+}
+
+void check_step_of_empty_box(const Scene& scene, Diagnostics& diagnostics) {
+  if (particle_count(scene) > 0 || (scene.sources.empty() && scene.inflows.empty()) ||
+      scene.method.time_step.fixed)
+    return;
+  diagnostics.report(
+      "method.time-step",
+      fmt::format("'method.time-step' follows from the {} of the particles, and this scene starts without "
+                  "one: give it as a time",
+                  scene.method.time_step.cell_fraction ? "speeds" : "collisions"));
 }
 
 }  // namespace sandglass

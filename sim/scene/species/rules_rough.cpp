@@ -28,6 +28,8 @@ void check_spins(const Scene& scene, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < scene.species.size(); ++i)
     refuse(scene.species[i].inertia_factor.has_value(), item_path("species", i) + ".moment-of-inertia");
   refuse(scene.initial.spin_temperature != 0, "initial.spin-temperature");
+  for (std::size_t i = 0; i < scene.inflows.size(); ++i)
+    refuse(scene.inflows[i].spin_temperature != 0, item_path("inflow", i) + ".spin-temperature");
   for (std::size_t i = 0; i < scene.given.size(); ++i)
     refuse(!scene.given[i].spin.empty(), item_path("particle", i) + ".spin");
 }

@@ -58,19 +58,19 @@ bool may_be_alone(const Scene& scene) {
 }
 
 void check_count(const Scene& scene, Diagnostics& diagnostics) {
+  const bool comes_in = !scene.sources.empty() || !scene.inflows.empty();
   const std::string path = amount_path(scene, 0);
   const std::uint64_t total = particle_count(scene);
   const bool alone = may_be_alone(scene);
   if (scene.species.size() == 1 || !scene.given.empty()) {
-    const bool poured = total == 0 && !scene.sources.empty();
-    if (total < 2 && !(alone && total == 1) && !poured)
+    if (total < 2 && !(alone && total == 1) && !(total == 0 && comes_in))
       diagnostics.report(path, gives(path, total) + (alone ? "; at least 1 is needed"
                                                            : "; at least 2 are needed, since fewer cannot "
                                                              "collide"));
   } else {
     for (std::size_t i = 0; i < scene.species.size(); ++i) {
       const std::string own = amount_path(scene, i);
-      if (particle_count(scene, scene.species[i]) == 0)
+      if (particle_count(scene, scene.species[i]) == 0 && scene.inflows.empty())
         diagnostics.report(own, gives(own, 0) + "; each species needs at least 1");
     }
   }

@@ -45,12 +45,16 @@ void read_surface(Table& table, SurfaceRule& surface) {
 }
 }  // namespace
 
-void read_wall(Table& table, Wall& wall) {
+void read_side(Table& table, int& axis, bool& high) {
   std::pair<int, bool> side{0, false};
   table.read_word("side", "side of the domain", side, wall_side_words());
   if (!table.has("side")) table.report_missing("side", "one of " + list_words(names_of(wall_side_words())));
-  wall.axis = side.first;
-  wall.high = side.second;
+  axis = side.first;
+  high = side.second;
+}
+
+void read_wall(Table& table, Wall& wall) {
+  read_side(table, wall.axis, wall.high);
   read_surface(table, wall.surface);
   table.read("velocity", wall.velocity);
   table.read("amplitude", wall.amplitude);

@@ -20,15 +20,11 @@ void check_surface(const SurfaceRule& surface, const std::string& path, Diagnost
 }
 
 /// Where the wall stands: a side of its own, not periodic. False when that is not known.
-bool check_side(const Scene& scene, std::size_t index, const std::string& path, Diagnostics& diagnostics) {
+bool check_place(const Scene& scene, std::size_t index, const std::string& path, Diagnostics& diagnostics) {
   const Wall& wall = scene.walls[index];
   const std::string side = path + ".side";
   if (!diagnostics.clean(side)) return false;
-  if (wall.axis < 0 || wall.axis >= scene.domain.dimension) {
-    diagnostics.report(side, fmt::format("{} is '{}', but the domain of 2 dimensions has the axes x and y",
-                                         shown(side), side_of(wall)));
-    return false;
-  }
+  if (!check_side(scene.domain, wall.axis, wall.high, side, diagnostics)) return false;
   const auto axis = static_cast<std::size_t>(wall.axis);
   if (scene.domain.sides[axis][0] == Side::periodic)
     diagnostics.report(
@@ -109,12 +105,20 @@ void check_obstacle(const Scene& scene, const Obstacle& obstacle, const std::str
 }
 }  // namespace
 
+bool check_side(const Domain& domain, int axis, bool high, const std::string& path,
+                Diagnostics& diagnostics) {
+  if (axis >= 0 && axis < domain.dimension) return true;
+  diagnostics.report(path, fmt::format("{} is '{}', but the domain of 2 dimensions has the axes x and y",
+                                       shown(path), word_of(wall_side_words(), std::pair{axis, high})));
+  return false;
+}
+
 void check_walls(const Scene& scene, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     const std::string path = item_path("wall", i);
     check_surface(scene.walls[i].surface, path, diagnostics);
     check_vibration(scene.walls[i], path, diagnostics);
-    if (check_side(scene, i, path, diagnostics))
+    if (check_place(scene, i, path, diagnostics))
       check_velocity(scene.walls[i], scene.domain.dimension, path, diagnostics);
   }
   for (std::size_t axis = 0; axis < scene.domain.size.size(); ++axis) check_room(scene, axis, diagnostics);

@@ -1,0 +1,131 @@
+#include "sim/base/packing.hpp"
+#include "sim/scene/method/capabilities.hpp"
+#include "sim/scene/rules.hpp"
+#include "sim/scene/text/bounds.hpp"
+#include "sim/scene/words.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sandglass {
+
+namespace {
+constexpr double most_in_a_step = 1e6;
+
+std::string side_of(const Inflow& inflow) {
+  return word_of(wall_side_words(), std::pair{inflow.axis, inflow.high});
+}
+
+/// The rules of one inflow.
+class InflowRules {
+ public:
+  InflowRules(const Scene& scene, std::size_t index, Diagnostics& diagnostics)
+      : scene_(scene),
+        inflow_(scene.inflows[index]),
+        path_(item_path("inflow", index)),
+        diagnostics_(diagnostics) {}
+
+  void check() {
+    bool good = check_side();
+    good &= check_velocity();
+    good &= check_bounds(diagnostics_, key("number-density"), inflow_.number_density, positive());
+    good &= check_bounds(diagnostics_, key("temperature"), inflow_.temperature, at_least(0));
+    check_bounds(diagnostics_, key("spin-temperature"), inflow_.spin_temperature, at_least(0));
+    if (!good) return;
+    check_packing();
+    check_rate();
+  }
+
+ private:
+  std::string key(const char* name) const { return path_ + '.' + name; }
+
+  bool check_side() {
+    if (!sandglass::check_side(scene_.domain, inflow_.axis, inflow_.high, key("side"), diagnostics_))
+      return false;
+    const Side side = scene_.domain.sides[static_cast<std::size_t>(inflow_.axis)][inflow_.high];
+    if (side != Side::open) {
+      const std::string& axis = axis_words()[static_cast<std::size_t>(inflow_.axis)].first;
+      diagnostics_.report(
+          key("side"),
+          fmt::format("{} is '{}', which is {}; a stream comes in by an open side: [domain.sides] "
+                      "{} = \"open\", or a list with \"open\" for this side",
+                      shown(key("side")), side_of(inflow_), side == Side::periodic ? "periodic" : "a wall",
+                      axis));
+      return false;
+    }
+    return check_walls_beside();
+  }
+
+  /// Particles enter anywhere on the side: no wall may slide over it.
+  bool check_walls_beside() {
+    for (const Wall& wall : scene_.walls) {
+      const auto axis = static_cast<std::size_t>(wall.axis);
+      const bool moves = wall.amplitude != 0 || (axis < wall.velocity.size() && wall.velocity[axis] != 0);
+      if (!moves || wall.axis == inflow_.axis) continue;
+      diagnostics_.report(key("side"),
+                          fmt::format("the wall '{}' moves over the side where the stream comes in; let it "
+                                      "stand, or move it along itself",
+                                      word_of(wall_side_words(), std::pair{wall.axis, wall.high})));
+      return false;
+    }
+    return true;
+  }
+
+  bool check_velocity() {
+    const std::string path = key("velocity");
+    if (inflow_.velocity.empty()) return true;
+    if (!check_length(diagnostics_, path, inflow_.velocity.size(), scene_.domain.dimension)) return false;
+    bool good = true;
+    for (std::size_t axis = 0; axis < inflow_.velocity.size(); ++axis)
+      good &= check_bounds(diagnostics_, item_path(path, axis), inflow_.velocity[axis], finite());
+    return good;
+  }
+
+  /// All that streams in by the same side.
+  void check_packing() {
+    double fraction = 0;
+    for (const Inflow& other : scene_.inflows)
+      if (other.axis == inflow_.axis && other.high == inflow_.high)
+        fraction +=
+            other.number_density * particle_volume(scene_.species[other.species], scene_.domain.dimension);
+    const int dimension = scene_.domain.dimension;
+    const bool local = has_contact_factor(scene_) && !has_full_cells(scene_);
+    const double most = local ? random_close_packing(dimension) : close_packing(dimension);
+    if (fraction < most) return;
+    diagnostics_.report(key("number-density"),
+                        fmt::format("what comes in by '{}' has the {} {:.4g}, at or above {}close packing "
+                                    "({}); lower {}",
+                                    side_of(inflow_), fraction_key(dimension), fraction,
+                                    local ? "random " : "", most, shown(key("number-density"))));
+  }
+
+  void check_rate() {
+    const double rate = inflow_rate(scene_, inflow_);
+    if (!(rate > 0))
+      return diagnostics_.report(
+          key("velocity"),
+          fmt::format("nothing comes in by '{}': at temperature {} no particle moves against this stream; "
+                      "point 'velocity' into the box or raise 'temperature'",
+                      side_of(inflow_), inflow_.temperature));
+    const double step = scene_.method.time_step.fixed.value_or(0);
+    if (rate * step <= most_in_a_step && std::isfinite(rate)) return;
+    diagnostics_.report(key("number-density"),
+                        fmt::format("{:.4g} particles come in by '{}' in one step; at most {} are allowed: "
+                                    "shorten 'method.time-step' or raise 'method.weight'",
+                                    rate * step, side_of(inflow_), most_in_a_step));
+  }
+
+  const Scene& scene_;
+  const Inflow& inflow_;
+  std::string path_;
+  Diagnostics& diagnostics_;
+};
+}  // namespace
+
+void check_inflows(const Scene& scene, Diagnostics& diagnostics) {
+  if (!diagnostics.clean("method")) return;
+  for (std::size_t i = 0; i < scene.inflows.size(); ++i) InflowRules(scene, i, diagnostics).check();
+}
+
+}  // namespace sandglass
