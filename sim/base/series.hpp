@@ -39,9 +39,10 @@ struct Estimate {
   Quantity quantity;
   std::vector<double> value;
   std::vector<double> standard_error;  ///< NaN where it cannot be known (one sample, one replica)
-  double effective_samples = 0;  ///< independent samples that the error rests on (smallest over components that vary)
-  double start_time = 0;         ///< of the part of the run that it is the mean of (sim/base/steady.hpp)
-  bool drifts = false;           ///< a component went on changing in that part: no steady mean
+  double effective_samples =
+      0;  ///< independent samples that the error rests on (smallest over components that vary)
+  double start_time = 0;  ///< of the part of the run that it is the mean of (sim/base/steady.hpp)
+  bool drifts = false;    ///< a component went on changing in that part: no steady mean
 };
 
 }  // namespace sandglass
