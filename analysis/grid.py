@@ -84,6 +84,11 @@ def _columns(cases):
     return sorted(order, key=lambda variant: -sum(variant in cells for cells in cases.values()))
 
 
+def _in_order(topic):
+    """Gases first, few balls last, others between in the order of the alphabet."""
+    return {"kinetic-theory": 0, "granular-flow": 1, "few-body": 3}.get(topic, 2), topic
+
+
 def grid(report):
     """The folded matrix of a report; rows are cases grouped by topic."""
     topics, cases = {}, {}
@@ -93,4 +98,4 @@ def grid(report):
             cells.setdefault(item.verdict.variant, []).append(item.verdict)
         cases[case.name] = {variant: Fold(items) for variant, items in cells.items()}
         topics.setdefault(case.topic, {})[case.name] = cases[case.name]
-    return Grid(_columns(cases), topics)
+    return Grid(_columns(cases), {topic: topics[topic] for topic in sorted(topics, key=_in_order)})

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+from dataclasses import replace
 import re
 
 import pytest
@@ -107,6 +108,14 @@ def test_rows_are_grouped_and_columns_sorted(tmp_path):
     assert grid(report).variants == ["exact", "quick", "slow"]
     assert list(grid(report).topics) == ["kinetic-theory"]
     assert list(grid(report).topics["kinetic-theory"]) == ["ball", "cradle", "gas", "wave"]
+
+
+def test_gases_come_first_and_few_balls_last(tmp_path):
+    write(tmp_path, *(row("a", case=case) for case in ("ball", "cradle", "gas", "wave")))
+    report = load_report(tmp_path)
+    topics = ("few-body", "transport", "kinetic-theory", "mixing")
+    cases = [replace(case, topic=topic) for case, topic in zip(report.cases, topics)]
+    assert list(grid(replace(report, cases=cases)).topics) == ["kinetic-theory", "mixing", "transport", "few-body"]
 
 
 def test_a_cell_that_is_not_run_is_empty(tmp_path):
