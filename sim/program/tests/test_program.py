@@ -195,7 +195,8 @@ def test_plan_says_what_is_left_out(scene, tmp_path):
 
 
 def test_more_particles_than_fit_are_refused_before_anything_is_taken(scene, tmp_path):
-    scene.write_text(SCENE.replace("STEPS", "5").replace("area-fraction = 0.05", "count = 100000000000"))
+    text = SCENE.replace("STEPS", "5").replace("weight = 0.1", "weight = 1e-10")
+    scene.write_text(text.replace("area-fraction = 0.05", "count = 100000000000"))
     begun = time.monotonic()
     refused = run("run", scene.name, "--quiet", folder=tmp_path)
     assert refused.returncode == 2 and "do not fit into memory" in refused.stderr
