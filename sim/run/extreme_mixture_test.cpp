@@ -88,7 +88,8 @@ INSTANTIATE_TEST_SUITE_P(Elastic, ExtremeMixture,
 /// run says what to change.
 TEST(ExtremeMixtures, OfHeavyWeightRunOrSayWhatToChange) {
   std::string text = changed(kMixture, {"", "weight = 1.0", "weight = 1e6"});
-  for (int species = 0; species < 2; ++species) text = changed(text, {"", "diameter = 0.5", "diameter = 4e-3"});
+  for (int species = 0; species < 2; ++species)
+    text = changed(text, {"", "diameter = 0.5", "diameter = 4e-3"});
   const Scene scene = read_scene_text(text, "scene.toml");
   try {
     expect_finite(run_scene(scene));
