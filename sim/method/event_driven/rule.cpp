@@ -9,12 +9,7 @@ Impact<D> CollisionRule<D>::apply_general(Gas<D>& gas, std::uint32_t first, std:
   const std::size_t kind_1 = gas.kind(first), kind_2 = gas.kind(second);
   const SpeciesTraits &traits_1 = parameters_.species[kind_1], &traits_2 = parameters_.species[kind_2];
   Surface surface = parameters_.surface(kind_1, kind_2);
-  if (guards(gas, first, now) || guards(gas, second, now)) {
-    surface.normal = {1, 0};
-    ++guarded;
-  }
-  set_last_contact(gas, first, now);
-  set_last_contact(gas, second, now);
+  if (is_guarded(gas, first, second, now, guarded)) surface.normal = {1, 0};
   Vector<D>& velocity_1 = gas.particles[first].velocity;
   Vector<D>& velocity_2 = gas.particles[second].velocity;
   Spin<D> rest_1 = Spin<D>::Zero(), rest_2 = Spin<D>::Zero();

@@ -42,8 +42,7 @@ class CollisionRule {
  public:
   explicit CollisionRule(const Parameters<D>& parameters) : parameters_(parameters) {
     const Surface& only = parameters.surfaces.front();
-    simple_ = parameters.species.size() == 1 && !parameters.rough && !(parameters.contact_time > 0) &&
-              only.normal.reference_speed == 0;
+    simple_ = parameters.species.size() == 1 && !parameters.rough && only.normal.reference_speed == 0;
     half_kick_ = 0.5 * (1 + only.normal.value);
   }
 
@@ -54,7 +53,8 @@ class CollisionRule {
     Vector<D>& velocity_2 = gas.particles[second].velocity;
     const double approach = (velocity_2 - velocity_1).dot(normal);
     if (!simple_) return apply_general(gas, first, second, normal, approach, now, guarded);
-    const Vector<D> kick = half_kick_ * std::max(approach, 0.0) * normal;
+    const double half_kick = is_guarded(gas, first, second, now, guarded) ? 1 : half_kick_;
+    const Vector<D> kick = half_kick * std::max(approach, 0.0) * normal;
     velocity_1 += kick;
     velocity_2 -= kick;
     return {parameters_.species.front().mass * kick, approach};
@@ -63,6 +63,16 @@ class CollisionRule {
   /// Whether the TC model makes the next contact of a particle elastic (Luding & McNamara 1998), with whatever it is.
   bool guards(const Gas<D>& gas, std::uint32_t particle, double now) const {
     return !gas.last_contact.empty() && now - gas.last_contact[particle] < parameters_.contact_time;
+  }
+  /// Whether the TC model makes the contact of two particles elastic; counts that, and notes the contact.
+  bool is_guarded(Gas<D>& gas, std::uint32_t first, std::uint32_t second, double now,
+                  std::uint64_t& guarded) const {
+    if (gas.last_contact.empty()) return false;
+    const bool elastic = guards(gas, first, now) || guards(gas, second, now);
+    guarded += elastic;
+    set_last_contact(gas, first, now);
+    set_last_contact(gas, second, now);
+    return elastic;
   }
   /// For the TC model.
   void set_last_contact(Gas<D>& gas, std::uint32_t particle, double now) const {
