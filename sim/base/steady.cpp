@@ -10,7 +10,7 @@ namespace sandglass {
 namespace {
 constexpr std::size_t batch = 5, fewest_samples = 20;
 constexpr double clear_errors = 4, fewest_independent = 5;
-constexpr double relative_rounding = 1e-9, rounding = 1e-12;  ///< momentum is zero but for rounding
+constexpr double rounding = 1e-12;  ///< momentum is zero but for rounding
 
 std::vector<double> means_of_five(std::span<const double> samples) {
   std::vector<double> means;
@@ -54,8 +54,7 @@ bool drifts(std::span<const double> samples) {
   const Mean early = mean_of_correlated(samples.first(half)),
              late = mean_of_correlated(samples.subspan(half));
   const double apart = std::abs(late.value - early.value);
-  if (apart < relative_rounding * std::max(std::abs(early.value), std::abs(late.value)) + rounding)
-    return false;
+  if (apart < rounding_share * std::max(std::abs(early.value), std::abs(late.value)) + rounding) return false;
   return apart > clear_errors * std::hypot(early.standard_error, late.standard_error) ||
          mean_of_correlated(samples).effective_samples < fewest_independent;
 }

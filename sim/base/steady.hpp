@@ -6,6 +6,9 @@
 
 namespace sandglass {
 
+/// What varies by less, of its value, is constant but for rounding.
+inline constexpr double rounding_share = 1e-9;
+
 /// Samples of a quantity in time, one row for each component or replica, rows of the same length.
 using Rows = std::vector<std::vector<double>>;
 

@@ -1,6 +1,7 @@
 #include "sim/run/run.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/steady.hpp"
 #include "sim/program/memory.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/progress_line.hpp"
@@ -30,11 +31,11 @@ std::string checkpoint_path(const std::string& record) {
 
 /// What a reader must know of a mean before trusting it.
 std::string remark(const Estimate& estimate, std::size_t component, std::size_t replicas) {
-  constexpr double few = 10, rounding = 1e-9;
+  constexpr double few = 10;
   if (estimate.drifts) return "drifts: no steady mean";
   if (replicas > 1 || estimate.effective_samples >= few) return "";
   const double error = estimate.standard_error[component];
-  if (error <= rounding * std::abs(estimate.value[component])) return "";  // constant
+  if (error <= rounding_share * std::abs(estimate.value[component])) return "";  // constant
   return fmt::format("{:.0f} independent samples", estimate.effective_samples);
 }
 

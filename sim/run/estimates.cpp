@@ -10,9 +10,6 @@
 namespace sandglass {
 
 namespace {
-/// What varies by less, of its value, is constant.
-constexpr double rounding = 1e-9;
-
 /// Rows of a series, one a component.
 Rows components_of(const Series& series) {
   const std::size_t size = series.quantity.size();
@@ -81,7 +78,7 @@ Estimate estimate_series(const std::vector<Replica>& replicas, std::size_t index
     estimate.value.push_back(mean.value);
     estimate.standard_error.push_back(mean.standard_error);
     estimate.effective_samples = mean.effective_samples;
-    if (mean.standard_error > rounding * std::abs(mean.value))
+    if (mean.standard_error > rounding_share * std::abs(mean.value))
       fewest = std::min(fewest, mean.effective_samples);
     estimate.drifts = estimate.drifts || drifts(std::span(together[component]).subspan(from));
   }

@@ -73,13 +73,8 @@ class InflowRules {
   }
 
   bool check_velocity() {
-    const std::string path = key("velocity");
-    if (inflow_.velocity.empty()) return true;
-    if (!check_length(diagnostics_, path, inflow_.velocity.size(), scene_.domain.dimension)) return false;
-    bool good = true;
-    for (std::size_t axis = 0; axis < inflow_.velocity.size(); ++axis)
-      good &= check_bounds(diagnostics_, item_path(path, axis), inflow_.velocity[axis], finite());
-    return good;
+    return inflow_.velocity.empty() ||
+           check_vector(diagnostics_, key("velocity"), inflow_.velocity, scene_.domain.dimension, speed());
   }
 
   /// All that streams in by the same side.

@@ -16,15 +16,6 @@ constexpr std::size_t most_given = 10000;  // a scene file is no place for more
 /// distance.
 constexpr double rounding = 1e-9;
 
-bool check_vector(const std::vector<double>& values, const std::string& path, int length,
-                  Diagnostics& diagnostics) {
-  if (!diagnostics.clean(path)) return false;
-  bool good = check_length(diagnostics, path, values.size(), length);
-  for (std::size_t axis = 0; axis < values.size(); ++axis)
-    good &= check_bounds(diagnostics, item_path(path, axis), values[axis], finite());
-  return good;
-}
-
 void check_spin(const Scene& scene, const GivenParticle& particle, const std::string& path,
                 Diagnostics& diagnostics) {
   if (particle.spin.empty() || !diagnostics.clean(path + ".spin")) return;
@@ -141,8 +132,8 @@ bool check_particle(const Scene& scene, std::size_t index, Diagnostics& diagnost
   const GivenParticle& particle = scene.given[index];
   const std::string path = item_path("particle", index);
   const int dimension = scene.domain.dimension;
-  const bool placed = check_vector(particle.position, path + ".position", dimension, diagnostics);
-  check_vector(particle.velocity, path + ".velocity", dimension, diagnostics);
+  const bool placed = check_vector(diagnostics, path + ".position", particle.position, dimension, finite());
+  check_vector(diagnostics, path + ".velocity", particle.velocity, dimension, finite());
   check_spin(scene, particle, path, diagnostics);
   const bool known = particle.species < scene.species.size();
   if (!known && diagnostics.clean("species"))

@@ -63,9 +63,7 @@ void check_initial(const Scene& scene, Diagnostics& diagnostics) {
   check_bounds(diagnostics, "initial.equilibrate-collisions-per-particle", initial.equilibrate_collisions,
                at_least(0));
   if (!initial.velocity.empty())
-    check_length(diagnostics, "initial.velocity", initial.velocity.size(), scene.domain.dimension);
-  for (std::size_t axis = 0; axis < initial.velocity.size(); ++axis)
-    check_bounds(diagnostics, item_path("initial.velocity", axis), initial.velocity[axis], speed());
+    check_vector(diagnostics, "initial.velocity", initial.velocity, scene.domain.dimension, speed());
   if (initial.shear_wave) check_shear_wave(scene, diagnostics);
   check_uniform_velocity(scene, diagnostics);
   check_bounds(diagnostics, "initial.velocity-rounding", initial.velocity_rounding, at_least(0));

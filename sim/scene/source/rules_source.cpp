@@ -48,11 +48,8 @@ class SourceRules {
   }
 
   void check_velocity() {
-    const std::string path = key("velocity");
-    if (source_.velocity.empty() || !diagnostics_.clean(path)) return;
-    if (!check_length(diagnostics_, path, source_.velocity.size(), scene_.domain.dimension)) return;
-    for (std::size_t axis = 0; axis < source_.velocity.size(); ++axis)
-      check_bounds(diagnostics_, item_path(path, axis), source_.velocity[axis], speed());
+    if (!source_.velocity.empty())
+      check_vector(diagnostics_, key("velocity"), source_.velocity, scene_.domain.dimension, speed());
   }
 
   /// Above a pile: there must be an up and something that piles up.

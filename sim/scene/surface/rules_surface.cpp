@@ -50,9 +50,8 @@ void check_vibration(const Wall& wall, const std::string& path, Diagnostics& dia
 
 void check_velocity(const Wall& wall, int dimension, const std::string& path, Diagnostics& diagnostics) {
   if (wall.velocity.empty() || !diagnostics.clean(path + ".velocity")) return;
-  if (!check_length(diagnostics, path + ".velocity", wall.velocity.size(), dimension)) return;
-  for (std::size_t axis = 0; axis < wall.velocity.size(); ++axis)
-    check_bounds(diagnostics, item_path(path + ".velocity", axis), wall.velocity[axis], speed());
+  check_vector(diagnostics, path + ".velocity", wall.velocity, dimension, speed());
+  if (wall.velocity.size() != static_cast<std::size_t>(dimension)) return;
   if (wall.amplitude != 0 && diagnostics.clean(path + ".side") &&
       wall.velocity[static_cast<std::size_t>(wall.axis)] != 0)
     diagnostics.report(path + ".velocity",

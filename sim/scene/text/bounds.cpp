@@ -52,4 +52,13 @@ bool check_length(Diagnostics& diagnostics, const std::string& path, std::size_t
   return false;
 }
 
+bool check_vector(Diagnostics& diagnostics, const std::string& path, const std::vector<double>& values,
+                  int dimension, const Bounds& bounds) {
+  if (!diagnostics.clean(path)) return false;
+  bool good = check_length(diagnostics, path, values.size(), dimension);
+  for (std::size_t axis = 0; axis < values.size(); ++axis)
+    good &= check_bounds(diagnostics, item_path(path, axis), values[axis], bounds);
+  return good;
+}
+
 }  // namespace sandglass

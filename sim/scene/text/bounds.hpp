@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace sandglass {
 
@@ -30,5 +31,8 @@ bool check_bounds(Diagnostics& diagnostics, const std::string& path, double valu
 
 /// Reports a vector that has not one component per axis; true when it has.
 bool check_length(Diagnostics& diagnostics, const std::string& path, std::size_t length, int dimension);
+/// As many components as dimensions, each within the bounds; false also where the value had an error already.
+bool check_vector(Diagnostics& diagnostics, const std::string& path, const std::vector<double>& values,
+                  int dimension, const Bounds& bounds);
 
 }  // namespace sandglass
