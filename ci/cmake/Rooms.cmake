@@ -48,6 +48,9 @@ function(sandglass_room name)
     target_link_libraries(test_${name} PRIVATE sandglass_${name} GTest::gtest_main GTest::gmock)
     target_compile_options(test_${name} PRIVATE ${SANDGLASS_TEST_OPTIONS})
     target_precompile_headers(test_${name} REUSE_FROM sandglass_test_headers)
+    # Four files at a time share what they instantiate: two thirds of what it costs to compile them one by one. Names of
+    # a file's own must then differ within a room.
+    set_target_properties(test_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
     target_compile_definitions(test_${name} PRIVATE SANDGLASS_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     set(environment "")
     if(MPI::MPI_CXX IN_LIST ROOM_LINKS)

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::columns_test {
 namespace {
 
 TEST(Columns, ValuesComeBackByTheirDeclaration) {
@@ -46,4 +46,4 @@ TEST(ColumnViews, AnEmptyColumnIsAbsent) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::columns_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::exact_sum_test {
 namespace {
 
 double exact(const std::vector<double>& terms) {
@@ -58,4 +58,4 @@ TEST(ExactSum, AddsRegistersAndSurvivesASave) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::exact_sum_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::random_test {
 namespace {
 
 /// The slow twin: every draw is a Philox block named by its draw number.
@@ -100,4 +100,4 @@ TEST(Random, UniformHasTheRightMoments) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::random_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::statistics_test {
 namespace {
 
 using Generator = std::mt19937_64;
@@ -126,4 +126,4 @@ TEST(FitLine, ErrorsMatchTheScatterOfReplicates) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::statistics_test

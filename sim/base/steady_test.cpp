@@ -8,7 +8,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::steady_test {
 namespace {
 
 std::vector<double> noise(std::size_t count, std::uint64_t index) {
@@ -104,4 +104,4 @@ TEST(Drifts, IsQuietAboutRoundingAndShortSeries) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::steady_test

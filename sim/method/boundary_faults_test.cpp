@@ -4,7 +4,7 @@
 
 // Each planted fault changes what it says and nothing else.
 
-namespace sandglass {
+namespace sandglass::boundary_faults_test {
 namespace {
 
 Scene driven_scene() {
@@ -100,4 +100,4 @@ TEST(BoundaryFaults, LossOfMirrorsReachesThoseWithoutATable) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::boundary_faults_test

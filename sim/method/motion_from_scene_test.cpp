@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::motion_from_scene_test {
 namespace {
 
 /// In a box that is higher than wide, with sides that differ.
@@ -43,4 +43,4 @@ TEST(MotionFromScene, TakesEverySideMassAndGravityFromItsPlace) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::motion_from_scene_test

@@ -6,7 +6,7 @@
 
 // What enters flies as one that stood there all the time flies through a step of its own.
 
-namespace sandglass::motion {
+namespace sandglass::motion::entrance_test {
 namespace {
 
 constexpr double kDt = 0.6;
@@ -119,4 +119,4 @@ TEST(Entrance, KeepsSpeciesAndSpins) {
 }
 
 }  // namespace
-}  // namespace sandglass::motion
+}  // namespace sandglass::motion::entrance_test

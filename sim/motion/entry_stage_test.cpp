@@ -10,7 +10,7 @@
 
 // Moves that may be refused, against a slow twin and against the motion that refuses none.
 
-namespace sandglass::motion {
+namespace sandglass::motion::entry_stage_test {
 namespace {
 
 template <int D>
@@ -158,4 +158,4 @@ TEST(EntryStage, CountsMovesThatHappen) {
 }
 
 }  // namespace
-}  // namespace sandglass::motion
+}  // namespace sandglass::motion::entry_stage_test

@@ -4,7 +4,7 @@
 
 // What walls take is counted: against balances of momentum and energy, and the two flights against each other.
 
-namespace sandglass::motion {
+namespace sandglass::motion::impulses_test {
 namespace {
 
 /// Does what a smooth elastic wall does, but is not the plain flight's.
@@ -187,4 +187,4 @@ TEST(Impulses, OfABallAtRestAreItsWeight) {
 }
 
 }  // namespace
-}  // namespace sandglass::motion
+}  // namespace sandglass::motion::impulses_test

@@ -9,7 +9,7 @@
 
 // Sides that let particles out, against twins of one coordinate.
 
-namespace sandglass::motion {
+namespace sandglass::motion::open_sides_test {
 namespace {
 
 constexpr double kDt = 0.4;
@@ -158,4 +158,4 @@ TEST(OpenSides, NoWallStandsThere) {
 }
 
 }  // namespace
-}  // namespace sandglass::motion
+}  // namespace sandglass::motion::open_sides_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::motion {
+namespace sandglass::motion::plain_flight_test {
 namespace {
 
 /// The slow twin: each axis by itself with the rules of flight.hpp.
@@ -150,4 +150,4 @@ TEST(MotionStage, StopsAtWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace sandglass::motion
+}  // namespace sandglass::motion::plain_flight_test

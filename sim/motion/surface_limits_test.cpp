@@ -6,7 +6,7 @@
 
 // What holds whatever happens: particles stay outside of what is solid, steps end, the order of work cannot show.
 
-namespace sandglass::motion {
+namespace sandglass::motion::surface_limits_test {
 namespace {
 
 template <int D>
@@ -216,4 +216,4 @@ TEST(SurfaceFlight, RefusesSurroundingsThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace sandglass::motion
+}  // namespace sandglass::motion::surface_limits_test

@@ -5,7 +5,7 @@
 
 // What particles do at walls and obstacles, rule by rule, through a whole step.
 
-namespace sandglass::motion {
+namespace sandglass::motion::surface_rules_test {
 namespace {
 
 constexpr double kDt = 0.2, kHeight = 0.1, kFall = 1, kSlip = 0.7;
@@ -229,4 +229,4 @@ TEST(ObstacleRules, ElasticSurfacesKeepTheEnergy) {
 }
 
 }  // namespace
-}  // namespace sandglass::motion
+}  // namespace sandglass::motion::surface_rules_test

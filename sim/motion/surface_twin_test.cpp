@@ -5,7 +5,7 @@
 
 // The flight between walls and obstacles against twins.
 
-namespace sandglass::motion {
+namespace sandglass::motion::surface_twin_test {
 namespace {
 
 WallRule specular(double restitution) { return {WallKind::specular, {{restitution}}, 1, 1}; }
@@ -134,4 +134,4 @@ TEST(SurfaceFlight, CountsPassagesOfPathsThatGravityTurnsBack) {
 }
 
 }  // namespace
-}  // namespace sandglass::motion
+}  // namespace sandglass::motion::surface_twin_test

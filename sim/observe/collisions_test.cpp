@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::collisions_test {
 namespace {
 
 /// Two particles at +-speed along x: temperature mass (2 speed^2 + 0) / (2 - 1) / 2 on the mean over two axes.
@@ -112,4 +112,4 @@ TEST(Crossings, SeeTheirOwnPlane) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::collisions_test

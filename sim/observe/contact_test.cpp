@@ -6,7 +6,7 @@
 
 // What only methods with contacts have: impact parameters, overlaps, the virial of hard particles.
 
-namespace sandglass {
+namespace sandglass::contact_test {
 namespace {
 
 ObserverSpec bins(std::size_t count) {
@@ -79,4 +79,4 @@ TEST(Pressure, OfTwoDisksOnALineIsThatOfTonks) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::contact_test

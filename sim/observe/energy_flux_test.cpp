@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::energy_flux_test {
 namespace {
 
 ObserverSpec bins(std::vector<std::size_t> grid) {
@@ -42,4 +42,4 @@ TEST(EnergyFlux, OfAMixtureWithWeights) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::energy_flux_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::heights_test {
 namespace {
 
 ObserverSpec bounded(std::vector<int> axes) {
@@ -87,4 +87,4 @@ TEST(FreeSurface, HasOneHeightOverEachBin) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::heights_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::kinetic_stress_test {
 namespace {
 
 ObserverSpec grid(std::vector<std::size_t> extents) {
@@ -73,4 +73,4 @@ TEST(KineticStress, TurnsWithTheFrame) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::kinetic_stress_test

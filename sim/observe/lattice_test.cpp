@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::lattice_test {
 namespace {
 
 /// Three bins of length 2 by four of length 1.
@@ -17,4 +17,4 @@ TEST(Lattice, TakesWhatIsOutsideToTheBinAtTheEdge) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::lattice_test

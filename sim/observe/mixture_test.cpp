@@ -11,7 +11,7 @@
 
 // Every observer that knows masses, on random mixtures of three species against plain loops.
 
-namespace sandglass {
+namespace sandglass::mixture_test {
 namespace {
 
 template <int D>
@@ -186,4 +186,4 @@ TEST(Mixture, OfOneMassIsOneSpecies) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::mixture_test

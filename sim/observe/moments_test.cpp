@@ -12,7 +12,7 @@
 
 // Energy, temperature, momentum and velocity moments against small systems worked by hand.
 
-namespace sandglass {
+namespace sandglass::moments_test {
 namespace {
 
 /// Mean velocity (2, 1); relative velocities (1, 2), (-3, 0), (1, -1), (1, -1). Mass 2, weight 3.
@@ -137,4 +137,4 @@ TEST(Sums, DoNotDependOnTheOrderOfCells) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::moments_test

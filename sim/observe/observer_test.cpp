@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::observer_test {
 namespace {
 
 ObserverSpec spec_of(const std::string& what) {
@@ -138,4 +138,4 @@ TEST(Observers, UnknownWordNamesTheNearest) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::observer_test

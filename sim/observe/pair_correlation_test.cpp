@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::pair_correlation_test {
 namespace {
 
 ObserverSpec shells(double low, double high, std::size_t bins) {
@@ -126,4 +126,4 @@ TEST(PairCorrelation, BadRangeIsRefused) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::pair_correlation_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::pair_velocity_test {
 namespace {
 
 template <int D>
@@ -124,4 +124,4 @@ TEST(PairVelocity, RefusesWhatItCannotCount) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::pair_velocity_test

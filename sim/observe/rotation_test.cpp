@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::rotation_test {
 namespace {
 
 template <int D>
@@ -87,4 +87,4 @@ TEST(Rotation, SmoothParticlesAreRefused) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rotation_test

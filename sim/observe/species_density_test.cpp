@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::species_density_test {
 namespace {
 
 ObserverSpec two_by_four(std::size_t species) {
@@ -54,4 +54,4 @@ TEST(SpeciesDensity, OfOneSpeciesIsTheDensityOfFields) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::species_density_test

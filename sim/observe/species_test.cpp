@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::species_test {
 namespace {
 
 ObserverSpec two_species() {
@@ -59,4 +59,4 @@ TEST(SpeciesObserver, CountsSurviveARestart) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::species_test

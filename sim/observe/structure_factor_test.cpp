@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::structure_factor_test {
 namespace {
 
 ObserverSpec lattice(std::vector<std::size_t> grid, std::size_t bins) {
@@ -131,4 +131,4 @@ TEST(StructureFactor, MoreShellsThanTheLatticeResolvesAreRefused) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::structure_factor_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::two_fluids_test {
 namespace {
 
 ObserverSpec halves() {
@@ -80,4 +80,4 @@ TEST(MixingIndex, IsOneInTheMeanOfRandomMixtures) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::two_fluids_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::wall_force_test {
 namespace {
 
 ObserverSpec bounded(std::vector<int> axes) {
@@ -79,4 +79,4 @@ TEST(WallForce, RefusesWhatNobodyCounts) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::wall_force_test

@@ -15,7 +15,7 @@
 
 // A particle of weight n is n particles in one: every observer must see that.
 
-namespace sandglass {
+namespace sandglass::weights_test {
 namespace {
 
 struct Twins {
@@ -153,4 +153,4 @@ TEST(Weights, PairCorrelationRefusesThem) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::weights_test

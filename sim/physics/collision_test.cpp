@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::collision_test {
 namespace {
 
 Random stream(std::uint64_t index) { return {StreamKey(11, Purpose::collisions, 0, 0), index}; }
@@ -83,4 +83,4 @@ TEST(CrossSection, IsThatOfTwoEqualParticles) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::collision_test

@@ -6,7 +6,7 @@
 
 // Cases worked by hand.
 
-namespace sandglass {
+namespace sandglass::contact_exact_test {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -91,4 +91,4 @@ TEST(Surface, OfAPairIsTheMean) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::contact_exact_test

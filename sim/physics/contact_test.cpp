@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::contact_test {
 namespace {
 
 template <class Body2, class Body3>
@@ -177,4 +177,4 @@ void expect_nothing(Random& random, Pair<D> pair) {
 TEST(Contact, LeavesARecedingPairAlone) { IN_BOTH_DIMENSIONS(expect_nothing); }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::contact_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::contact_value_test {
 namespace {
 
 double slope(ContactFormula formula, double fraction) {
@@ -47,4 +47,4 @@ TEST(ContactValue, DimensionChoosesTheFormula) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::contact_value_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::fitted_impact_test {
 namespace {
 
 /// Share of |b| below x by the midpoint rule on the density of the source, with the measure of the cross-section.
@@ -58,4 +58,4 @@ TEST(FittedImpact, IsUniformInTheLimit) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::fitted_impact_test

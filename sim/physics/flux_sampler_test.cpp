@@ -10,7 +10,7 @@
 
 // The density W exp(-(W - U)^2 / (2 thermal^2)) on W > 0, integrated numerically, is the slow twin.
 
-namespace sandglass {
+namespace sandglass::flux_sampler_test {
 namespace {
 
 constexpr double kThermal = 1.7;
@@ -176,4 +176,4 @@ TEST(FluxSampler, RatesOfBothSidesDifferByTheStream) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::flux_sampler_test

@@ -9,7 +9,7 @@
 // smooth_kick and its slow twin, contact_normal with SmoothInelastic, through the same tests. Statistical bounds are
 // 4.5 standard errors.
 
-namespace sandglass {
+namespace sandglass::kick_test {
 namespace {
 
 constexpr int kDraws = 300'000;
@@ -118,4 +118,4 @@ TEST(SmoothKick, ObeysTheCollisionRule) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::kick_test

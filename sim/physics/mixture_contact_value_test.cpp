@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::mixture_contact_value_test {
 namespace {
 
 /// Small particles of diameter 1 and large ones of diameter 3 at these number densities.
@@ -49,4 +49,4 @@ TEST(MixtureContactValue, SecondDerivativeIsThatOfTheValue) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::mixture_contact_value_test

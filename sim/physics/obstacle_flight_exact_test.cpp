@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::obstacle_flight_exact_test {
 namespace {
 
 TEST(TimeToObstacle, WorkedByHand) {
@@ -32,4 +32,4 @@ TEST(TimeToObstacle, OverlapThatGrowsIsNow) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::obstacle_flight_exact_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::obstacle_flight_test {
 namespace {
 
 Random stream(std::uint64_t index) { return {StreamKey(42, Purpose::collisions, 0, 0), index}; }
@@ -180,4 +180,4 @@ TEST(TimeToObstacle, FromFarAway) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::obstacle_flight_test

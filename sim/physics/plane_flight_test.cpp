@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::plane_flight_test {
 namespace {
 
 Random stream(std::uint64_t index) { return {StreamKey(41, Purpose::collisions, 0, 0), index}; }
@@ -156,4 +156,4 @@ TEST(TimeToFall, OfAParabola) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::plane_flight_test

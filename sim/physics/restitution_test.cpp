@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::restitution_test {
 namespace {
 
 TEST(Restitution, IsConstantWithoutAReferenceSpeed) {
@@ -31,4 +31,4 @@ TEST(Restitution, OfBizonFallsWithSpeed) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::restitution_test

@@ -8,7 +8,7 @@
 // Random points of a circle, a sphere and a cross-section: moments that a uniform distribution must have, within 4.5
 // standard errors.
 
-namespace sandglass {
+namespace sandglass::uniform_test {
 namespace {
 
 constexpr int kDraws = 400'000;
@@ -85,4 +85,4 @@ TEST(UniformImpact, FillsTheDisk) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::uniform_test

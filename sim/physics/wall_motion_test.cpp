@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::wall_motion_test {
 namespace {
 
 TEST(PlaneMotion, IsASineOnADrift) {
@@ -47,4 +47,4 @@ TEST(WallMotion, MovesAlongAndAcross) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::wall_motion_test

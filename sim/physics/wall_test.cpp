@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::wall_test {
 namespace {
 
 Random stream(std::uint64_t index) { return {StreamKey(31, Purpose::collisions, 0, 0), index}; }
@@ -168,4 +168,4 @@ TEST(Wall, BouncesBackWithItsProbability) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::wall_test

@@ -8,7 +8,7 @@
 
 // What leaves a thermal wall, by its moments within 4.5 standard errors.
 
-namespace sandglass {
+namespace sandglass::wall_thermal_test {
 namespace {
 
 constexpr double kTemperature = 1.7, kMass = 2, kInertia = 0.3;
@@ -86,4 +86,4 @@ TEST(ThermalWall, OfTheFaultHasMaxwellsNormalVelocities) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::wall_thermal_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::program {
+namespace sandglass::program::launcher_test {
 namespace {
 
 using Variables = std::map<std::string, std::string>;
@@ -61,4 +61,4 @@ TEST(Launcher, MpiDecidesUnlessItMissesTheOtherCopies) {
 }
 
 }  // namespace
-}  // namespace sandglass::program
+}  // namespace sandglass::program::launcher_test

@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace sandglass {
+namespace sandglass::damage_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -249,4 +249,4 @@ TEST(RecordDamage, KilledWriterLeavesTheLastCheckpoint) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::damage_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::describe_test {
 namespace {
 
 using testing::HasSubstr;
@@ -43,4 +43,4 @@ TEST(Provenance, NamesVersionCommitBuildAndTime) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::describe_test

@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::export_test {
 namespace {
 
 using testing::HasSubstr;
@@ -163,4 +163,4 @@ TEST(Export, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::export_test

@@ -8,7 +8,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sandglass {
+namespace sandglass::output_files_test {
 namespace {
 
 using testing::ElementsAre;
@@ -110,4 +110,4 @@ TEST(AtomicFile, LeavesDevicesAlone) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::output_files_test

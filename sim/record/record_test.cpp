@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
-namespace sandglass {
+namespace sandglass::record_test {
 namespace {
 
 /// Compares representations, so that NaN equals NaN and -0 differs from 0.
@@ -258,4 +258,4 @@ TEST(Record, WritesAndReadsThroughMpi) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::record_test

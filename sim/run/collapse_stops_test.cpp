@@ -7,7 +7,7 @@
 
 // A run that collapses says so, with time and place; a guard carries it on. Times by hand.
 
-namespace sandglass {
+namespace sandglass::collapse_stops_test {
 namespace {
 
 /// Falls from 1/2 with g = 1 onto a floor of restitution 0.6: first bounce at 1, and infinitely many at 1 + 2 0.6/0.4.
@@ -108,4 +108,4 @@ TEST(Collapse, ContactTimeCarriesTheRowOn) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::collapse_stops_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::collision_count_test {
 namespace {
 
 TEST(CollisionCount, IsTwoCOverNForAConstantNumber) {
@@ -29,4 +29,4 @@ TEST(CollisionCount, GoesOnAfterARestart) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::collision_count_test

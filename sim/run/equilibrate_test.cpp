@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::equilibrate_test {
 namespace {
 
 template <int D>
@@ -155,4 +155,4 @@ TEST(Equilibrate, RateIsEnskogs) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::equilibrate_test

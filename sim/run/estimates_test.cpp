@@ -7,7 +7,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::estimates_test {
 namespace {
 
 Replica replica_of(const std::vector<double>& values, std::size_t components = 1) {
@@ -114,4 +114,4 @@ TEST(Estimate, OneSampleHasNoKnownError) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::estimates_test

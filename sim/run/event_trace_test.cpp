@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::event_trace_test {
 namespace {
 
 std::string text_of(const std::string& path) {
@@ -109,4 +109,4 @@ TEST(EventTrace, ResumeRefusesATraceThatIsGone) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::event_trace_test

@@ -8,7 +8,7 @@
 
 // Mixtures at the ends of what a scene allows: refused with the remedy, or finite and bounded.
 
-namespace sandglass {
+namespace sandglass::extreme_mixture_test {
 namespace {
 
 const std::string kMixture = R"(
@@ -128,4 +128,4 @@ TEST(ExtremeMixtures, OfRoughParticlesKeepTheirEnergyBounded) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::extreme_mixture_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::frame_test {
 namespace {
 
 /// A column that no file but this one knows.
@@ -82,4 +82,4 @@ TEST(Frame, AMadeUpColumnTravelsTheWholeWay) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::frame_test

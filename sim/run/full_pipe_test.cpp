@@ -10,7 +10,7 @@
 // Hybrid simulation Monte Carlo at its limits, in a pipe under gravity: whatever the cells and the step, the run ends in
 // a finite state and its momentum closes, with gravity on those that moved alone.
 
-namespace sandglass {
+namespace sandglass::full_pipe_test {
 namespace {
 
 struct FullPipe {
@@ -105,4 +105,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::full_pipe_test

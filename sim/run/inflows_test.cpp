@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::inflows_test {
 namespace {
 
 /// A stream through a box without collisions, which begins empty.
@@ -307,4 +307,4 @@ TEST(Inflows, StopAtAFlood) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::inflows_test

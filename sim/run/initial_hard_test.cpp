@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::initial_hard_test {
 namespace {
 
 template <int D>
@@ -158,4 +158,4 @@ TEST(InitialHard, GivenParticlesKeepSpinAndSpecies) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::initial_hard_test

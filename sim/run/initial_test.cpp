@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::initial_test {
 namespace {
 
 template <int D>
@@ -115,4 +115,4 @@ TEST(Initial, EquilibrationThatCannotEndSaysSo) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::initial_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::mixing_test {
 namespace {
 
 Scene fluids() {
@@ -140,4 +140,4 @@ TEST(RunMixing, RoundingChangesVelocitiesWithinItsBound) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::mixing_test

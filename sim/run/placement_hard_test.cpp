@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::placement_hard_test {
 namespace {
 
 constexpr double kTouch = -1e-11;  // overlap by rounding
@@ -160,4 +160,4 @@ TEST(PlacementHard, WhatDoesNotFitIsRefusedWithARemedy) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::placement_hard_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::placement_obstacles_test {
 namespace {
 
 constexpr double kEdge = 40, kRadius = 0.5;  // of the domain, of a particle
@@ -109,4 +109,4 @@ TEST(PlacementObstacles, LeaveTheRoomThatTheirTwinLeaves) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::placement_obstacles_test

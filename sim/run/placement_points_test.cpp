@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::placement_points_test {
 namespace {
 
 const StreamKey key(5, Purpose::positions, 0, 0);
@@ -57,4 +57,4 @@ TEST(PlaceRandomly, SaysWhenThereIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::placement_points_test

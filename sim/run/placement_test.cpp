@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::placement_test {
 namespace {
 
 template <int D>
@@ -123,4 +123,4 @@ TEST(Placement, RandomIsUniformAndFollowsTheSeed) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::placement_test

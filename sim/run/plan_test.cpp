@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::plan_test {
 namespace {
 
 void expect_bytes_as_planned(const Scene& scene) {
@@ -207,4 +207,4 @@ TEST(Run, RefusesToWaitForCollisionsOfParticlesThatHaveLeft) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::plan_test

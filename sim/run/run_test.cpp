@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::run_test {
 namespace {
 
 const char* const kGas = R"(
@@ -462,4 +462,4 @@ TEST(Plan, PredictsTheCollisionsOfAnElasticGas) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::run_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::schedule_test {
 namespace {
 
 using Unit = Cadence::Unit;
@@ -75,4 +75,4 @@ TEST(Duration, EndsAtItsMark) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::schedule_test

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::sources_test {
 namespace {
 
 /// Particles that stop where they land, a frame a step.
@@ -277,4 +277,4 @@ TEST(Sources, ArePlanned) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::sources_test

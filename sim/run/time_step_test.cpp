@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::time_step_test {
 namespace {
 
 constexpr std::uint64_t kParticles = 10'000;
@@ -116,4 +116,4 @@ TEST(TimeStepper, RefusesAGasWithoutMotion) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::time_step_test

@@ -10,7 +10,7 @@
 // the same random numbers give the same motion in half the time, and forces four times as large. Exactly, since two is
 // exact in floating point.
 
-namespace sandglass {
+namespace sandglass::velocity_scale_test {
 namespace {
 
 /// A gas between two rough walls that move in opposite directions (Mueller 2001, section 3.3).
@@ -82,4 +82,4 @@ TEST(VelocityScale, AGuardBreaksIt) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::velocity_scale_test

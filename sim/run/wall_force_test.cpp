@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::wall_force_test {
 namespace {
 
 /// A bed on a vibrated floor, under a lid at rest, between rough walls or periodic sides.
@@ -209,4 +209,4 @@ TEST(WallForce, NeedsWalls) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::wall_force_test

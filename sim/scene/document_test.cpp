@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::document_test {
 namespace {
 
 std::string reference() {
@@ -143,4 +143,4 @@ TEST(Reference, ItsSmallSceneReads) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::document_test

@@ -7,7 +7,7 @@
 // Property: whatever the text, the reader returns a scene that keeps the rules and survives writing, or
 // throws InputError with at least one error. Spoiled scenes come from a fixed seed.
 
-namespace sandglass {
+namespace sandglass::fuzz_test {
 namespace {
 
 const std::string good = R"(title = "good"
@@ -155,4 +155,4 @@ TEST(FuzzDeep, DeepNestingIsRefused) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::fuzz_test

@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::read_errors_test {
 namespace {
 
 const std::string good = R"(title = "good"
@@ -193,4 +193,4 @@ TEST(ErrorsTogether, EveryMissingTableIsNamed) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::read_errors_test

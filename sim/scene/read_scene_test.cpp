@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::read_scene_test {
 namespace {
 
 using testing::ElementsAre;
@@ -106,4 +106,4 @@ TEST(ReadScene, AMissingFileIsNamedWithTheReason) {
 TEST(ReadScene, AFolderIsNotAScene) { EXPECT_THROW(read_scene_file(SANDGLASS_SOURCE_DIR), InputError); }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::read_scene_test

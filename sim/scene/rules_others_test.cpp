@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::rules_others_test {
 namespace {
 
 const std::string good = R"([run]
@@ -138,4 +138,4 @@ TEST(OtherMethodsTogether, ObserversOfStructureNeedTheirKeys) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rules_others_test

@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::rules_single_test {
 namespace {
 
 const std::string ball = R"([run]
@@ -73,4 +73,4 @@ TEST(EventDrivenAlone, ASceneMadeInCodeIsCheckedByTheSameRules) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rules_single_test

@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::rules_test {
 namespace {
 
 const std::string good = R"(title = "good"
@@ -208,4 +208,4 @@ TEST(RulesTogether, ASceneMadeInCodeIsCheckedByTheSameRules) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rules_test

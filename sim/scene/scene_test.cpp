@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::scene_test {
 namespace {
 
 Scene box(int dimension, double edge, double weight) {
@@ -113,4 +113,4 @@ TEST(Scene, AnAbsurdDensityGivesALargeCountRatherThanAnOverflow) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::scene_test

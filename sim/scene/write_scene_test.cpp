@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::write_scene_test {
 namespace {
 
 DsmcOptions& dsmc_of(Scene& scene) { return std::get<DsmcOptions>(scene.method.options); }
@@ -196,4 +196,4 @@ TEST(WriteScene, ExamplesOfTheDocumentationReadBackEqual) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::write_scene_test

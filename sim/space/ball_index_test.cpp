@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::ball_index_test {
 namespace {
 
 template <int D>
@@ -114,4 +114,4 @@ TEST(BallIndex, TakesHundredThousandBallsInLinearMemory) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::ball_index_test

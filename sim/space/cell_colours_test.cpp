@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::cell_colours_test {
 namespace {
 
 template <int D>
@@ -70,4 +70,4 @@ TEST(Neighbours, AroundAreThoseThatTouch) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::cell_colours_test

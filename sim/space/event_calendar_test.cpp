@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::event_calendar_test {
 namespace {
 
 using Entry = EventCalendar::Entry;
@@ -152,4 +152,4 @@ TEST(EventCalendar, DoesNotGrowInALongRun) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::event_calendar_test

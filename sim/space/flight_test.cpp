@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::flight_test {
 namespace {
 
 std::vector<double> lengths() {
@@ -205,4 +205,4 @@ TEST(FallBetweenWalls, GrazesTheCeilingAndFallsBack) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::flight_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::grid_test {
 namespace {
 
 template <int D>
@@ -139,4 +139,4 @@ TEST(Grid, PutsAPositionIntoACell) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::grid_test

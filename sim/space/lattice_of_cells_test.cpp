@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::lattice_of_cells_test {
 namespace {
 
 /// Every position belongs to one cell, and to each as many as its volume says. Chi-square of as many as there are cells,
@@ -177,4 +177,4 @@ TEST(LatticeOfCells, WidthIsTheDistanceOfOppositeSides) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::lattice_of_cells_test

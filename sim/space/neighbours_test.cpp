@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::neighbours_test {
 namespace {
 
 Grid<3> grid() { return {Vector<3>(4, 3, 5), {4, 3, 5}}; }
@@ -120,4 +120,4 @@ TEST(Neighbours, ASingleCellHasNoPair) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::neighbours_test

@@ -10,7 +10,7 @@
 
 // Particles that come and go, with every column, against a list that is kept by hand.
 
-namespace sandglass {
+namespace sandglass::particle_store_number_test {
 namespace {
 
 constexpr ColumnKey<Vector<2>> kMadeUp{"made-up", "length", 7};
@@ -226,4 +226,4 @@ TEST(ParticleStoreNumber, RefusesColumnsOfAnotherLengthOrType) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::particle_store_number_test

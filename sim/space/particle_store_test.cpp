@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::particle_store_test {
 namespace {
 
 constexpr std::size_t kParticles = 500;
@@ -154,4 +154,4 @@ TEST(ParticleStore, KnowsItsBytes) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::particle_store_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::quad_test {
 namespace {
 
 TEST(Quad, HasTheDigitsOfSingleNumbers) {
@@ -48,4 +48,4 @@ TEST(Quad, TransposesRowsToColumns) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::quad_test

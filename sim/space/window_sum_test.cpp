@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::window_sum_test {
 namespace {
 
 struct Twin {
@@ -136,4 +136,4 @@ TEST(WindowSum, IsTheSmallestThatHoldsEnough) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::window_sum_test

@@ -11,7 +11,7 @@
 
 // Records of a sheared gas made by hand: uniform shear passes, anything else does not.
 
-namespace sandglass {
+namespace sandglass::bagnold_test {
 namespace {
 
 using namespace synthetic;
@@ -165,4 +165,4 @@ TEST(ShearCell, ChecksRefuseOtherScenes) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::bagnold_test

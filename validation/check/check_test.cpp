@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::check_test {
 namespace {
 
 using namespace synthetic;
@@ -80,4 +80,4 @@ TEST(RunCheck, RefusesARecordWithoutReplicas) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::check_test

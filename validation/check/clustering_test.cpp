@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::clustering_test {
 namespace {
 
 using namespace synthetic;
@@ -130,4 +130,4 @@ TEST(ClusteringReference, StartsOnHaffAndInterpolatesInTheLogarithm) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::clustering_test

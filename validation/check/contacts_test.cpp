@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::contacts_test {
 namespace {
 
 using namespace synthetic;
@@ -92,4 +92,4 @@ TEST(Overlap, RoundingIsAllowedPenetrationIsNot) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::contacts_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::correlations_test {
 namespace {
 
 using namespace synthetic;
@@ -109,4 +109,4 @@ TEST(CorrelationsReference, RepeatsTheFileAndNamesItsPoints) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::correlations_test

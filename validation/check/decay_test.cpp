@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::decay_test {
 namespace {
 
 using namespace synthetic;
@@ -93,4 +93,4 @@ TEST(ShearWaveViscosity, FindsTheDecayUnderNoise) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::decay_test

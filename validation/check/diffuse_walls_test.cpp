@@ -11,7 +11,7 @@
 
 // Records of a gas between two diffuse walls made by hand: right ones agree, wrong ones are off by what is wrong.
 
-namespace sandglass {
+namespace sandglass::diffuse_walls_test {
 namespace {
 
 using namespace synthetic;
@@ -131,4 +131,4 @@ TEST(DiffuseWalls, LengthsAreThoseBehindTheWall) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::diffuse_walls_test

@@ -11,7 +11,7 @@
 
 // Each check sees data drawn from its law (within four errors) and from a law that is off (beyond ten).
 
-namespace sandglass {
+namespace sandglass::equilibrium_test {
 namespace {
 
 using namespace synthetic;
@@ -151,4 +151,4 @@ TEST(EnergyConservation, NotANumberStaysVisible) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::equilibrium_test

@@ -9,7 +9,7 @@
 
 // Records of falling disks made by hand: right ones pass, wrong ones do not.
 
-namespace sandglass {
+namespace sandglass::falling_test {
 namespace {
 
 using namespace synthetic;
@@ -169,4 +169,4 @@ TEST(Collapse, ReferenceStartsInFreeFallAndEndsAtRest) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::falling_test

@@ -10,7 +10,7 @@
 
 // Each check sees a record written by its law, and one that is a little off.
 
-namespace sandglass {
+namespace sandglass::few_body_test {
 namespace {
 
 Record record_of(const std::string& scene) {
@@ -160,4 +160,4 @@ TEST(PeriodOneOrbitCheck, SeesAnotherFloor) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::few_body_test

@@ -10,7 +10,7 @@
 
 // Five particles in 2D: the corrections are large, and a sample of the sphere itself is the reference.
 
-namespace sandglass {
+namespace sandglass::finite_size_test {
 namespace {
 
 constexpr int particles = 5;
@@ -91,4 +91,4 @@ TEST(FixedCountFactor, FallsOffWithDensity) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::finite_size_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::flux_test {
 namespace {
 
 using namespace synthetic;
@@ -85,4 +85,4 @@ TEST(Flux, SeesTheVelocitiesOfTheGasInsteadOfTheFlux) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::flux_test

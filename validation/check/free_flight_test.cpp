@@ -12,7 +12,7 @@
 
 // Each check sees data drawn from its law, and data from a law that is off.
 
-namespace sandglass {
+namespace sandglass::free_flight_test {
 namespace {
 
 using namespace synthetic;
@@ -166,4 +166,4 @@ TEST(FreeFlight, ChecksRefuseOtherScenes) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::free_flight_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::guarded_test {
 namespace {
 
 using namespace synthetic;
@@ -59,4 +59,4 @@ TEST(GuardedCooling, LeavesHaffToUnguardedRuns) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::guarded_test

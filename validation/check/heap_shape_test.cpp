@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::heap_shape_test {
 namespace {
 
 struct Surface {
@@ -87,4 +87,4 @@ TEST(HeapShape, RefusesTooFewPoints) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::heap_shape_test

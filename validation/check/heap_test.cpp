@@ -13,7 +13,7 @@
 
 // Each check of a heap sees surfaces drawn from the law, and surfaces that are not that of a heap.
 
-namespace sandglass {
+namespace sandglass::heap_test {
 namespace {
 
 using namespace synthetic;
@@ -227,4 +227,4 @@ TEST(HeapChecks, AreForHeapsAlone) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::heap_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::impact_fit_test {
 namespace {
 
 struct Impacts {
@@ -54,4 +54,4 @@ TEST(ImpactFit, RefusesWhatTheFormCannotDescribe) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::impact_fit_test

@@ -9,7 +9,7 @@
 
 // Checks of mixtures and of particles that spin, on data drawn from the law and from one that is wrong on purpose.
 
-namespace sandglass::synthetic {
+namespace sandglass::synthetic::kinds_test {
 namespace {
 
 constexpr const char* kMixture = R"([run]
@@ -153,4 +153,4 @@ TEST(RoughChecks, SeeAWrongTangentialRestitution) {
 }
 
 }  // namespace
-}  // namespace sandglass::synthetic
+}  // namespace sandglass::synthetic::kinds_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::pair_correlations_test {
 namespace {
 
 using namespace synthetic;
@@ -91,4 +91,4 @@ TEST(PairReference, RepeatsTheFileAndNamesItsPoints) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::pair_correlations_test

@@ -13,7 +13,7 @@
 
 // Each check of a pipe sees data drawn from its law, and data that is off.
 
-namespace sandglass {
+namespace sandglass::pipe_test {
 namespace {
 
 using namespace synthetic;
@@ -257,4 +257,4 @@ TEST(PipeChecks, ApplyToPipesAlone) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::pipe_test

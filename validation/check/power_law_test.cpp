@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::power_law_test {
 namespace {
 
 struct Data {
@@ -93,4 +93,4 @@ TEST(LocalExponents, AreTheSlopesBetweenPoints) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::power_law_test

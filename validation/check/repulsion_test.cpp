@@ -8,7 +8,7 @@
 
 // Frames of two and three particles of a mixing fluid: right ones agree, wrong ones do not.
 
-namespace sandglass {
+namespace sandglass::repulsion_test {
 namespace {
 
 std::string scene(const std::string& method, const std::string& particles, const std::string& masses) {
@@ -85,4 +85,4 @@ TEST(Repulsion, LightParticleInACageFollowsTheLeapfrog) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::repulsion_test

@@ -10,7 +10,7 @@
 
 // Records of a column of 500 disks that has sunk under gravity, made by hand: right ones agree, wrong ones do not.
 
-namespace sandglass {
+namespace sandglass::sedimentation_test {
 namespace {
 
 using namespace synthetic;
@@ -169,4 +169,4 @@ TEST(Sedimentation, LightSpeciesLiesBelowItsPlaceAtRest) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::sedimentation_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::spectrum_fit_test {
 namespace {
 
 using std::numbers::pi;
@@ -136,4 +136,4 @@ TEST(SpectrumFit, RefusesARangeWithTooFewLines) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::spectrum_fit_test

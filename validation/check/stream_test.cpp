@@ -11,7 +11,7 @@
 
 // Checks of streams and channels, on data drawn from the law and from one that is wrong on purpose.
 
-namespace sandglass::synthetic {
+namespace sandglass::synthetic::stream_test {
 namespace {
 
 /// Mean free path and most probable speed one; `species`, `sides` and `rest` are lines of TOML.
@@ -210,4 +210,4 @@ TEST(FallingStreamChecks, FindTheSwing) {
 }
 
 }  // namespace
-}  // namespace sandglass::synthetic
+}  // namespace sandglass::synthetic::stream_test

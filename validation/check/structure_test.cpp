@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::structure_test {
 namespace {
 
 using namespace synthetic;
@@ -112,4 +112,4 @@ TEST(ContactValue, WideBinsAreRefused) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::structure_test

@@ -8,7 +8,7 @@
 
 // A gas at rest, counted by hand: as many either way, or not.
 
-namespace sandglass {
+namespace sandglass::symmetry_test {
 namespace {
 
 using namespace synthetic;
@@ -114,4 +114,4 @@ TEST(ColourBalance, NeedsTheCellsAsBins) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::symmetry_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::time_step_test {
 namespace {
 
 using namespace synthetic;
@@ -37,4 +37,4 @@ TEST(StepInCells, IsAtMostTheFractionOfTheScene) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::time_step_test

@@ -10,7 +10,7 @@
 
 // Records of Greenspan's two examples made by hand from the reference: right ones agree, wrong ones do not.
 
-namespace sandglass {
+namespace sandglass::two_fluids_test {
 namespace {
 
 using namespace synthetic;
@@ -189,4 +189,4 @@ TEST(TwoFluids, MixSlowDownAndCondenseAsTheirSeriesSay) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::two_fluids_test

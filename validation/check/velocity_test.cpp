@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::velocity_test {
 namespace {
 
 using namespace synthetic;
@@ -109,4 +109,4 @@ TEST(SonineCoefficient, SeesTheoryAndAMaxwellian) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::velocity_test

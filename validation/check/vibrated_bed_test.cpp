@@ -14,7 +14,7 @@
 
 // Each check sees data that are right, and data that are off.
 
-namespace sandglass {
+namespace sandglass::vibrated_bed_test {
 namespace {
 
 using namespace synthetic;
@@ -222,4 +222,4 @@ TEST(VibratedBedReference, NamesTheSpeedsThatItHas) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::vibrated_bed_test

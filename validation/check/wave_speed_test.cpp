@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::wave_speed_test {
 namespace {
 
 constexpr std::size_t kSlices = 40;
@@ -84,4 +84,4 @@ TEST(WaveSpeed, RefusesTooFewSamples) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::wave_speed_test

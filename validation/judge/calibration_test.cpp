@@ -12,7 +12,7 @@
 // Calibration both ways: a right model fails at the declared rate, a wrong one is caught at the predicted
 // rate.
 
-namespace sandglass {
+namespace sandglass::calibration_test {
 namespace {
 
 constexpr int trials = 20000;
@@ -107,4 +107,4 @@ TEST(Calibration, SystematicPartOnlyLowersTheFalseAlarms) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::calibration_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::judge_test {
 namespace {
 
 constexpr double two_sigma = 0.0455002638963584;  // probability beyond two standard errors, either side
@@ -146,4 +146,4 @@ TEST(Judge, NamesAndBlocking) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::judge_test

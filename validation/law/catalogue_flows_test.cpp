@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::catalogue_flows_test {
 namespace {
 
 // Every number differs from every other and from 1, so that a law wired to the wrong function or argument shows.
@@ -114,4 +114,4 @@ TEST(CatalogueOfFlows, CountAndImpactLawsTakeTheirArguments) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::catalogue_flows_test

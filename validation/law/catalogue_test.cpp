@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::catalogue_test {
 namespace {
 
 // Every number differs from every other and from 1, so that a law wired to the wrong function or argument
@@ -104,4 +104,4 @@ TEST(Catalogue, ViscosityLawsTakeTheirOrder) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::catalogue_test

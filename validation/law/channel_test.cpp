@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::channel_test {
 namespace {
 
 /// (5.2) to (5.7) against the viscosity of Chapman and Enskog, for any units.
@@ -125,4 +125,4 @@ TEST(FallingStream, WithoutWeightStaysAsItIs) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::channel_test

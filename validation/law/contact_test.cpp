@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::contact_test {
 namespace {
 
 using std::numbers::pi;
@@ -100,4 +100,4 @@ TEST(VirialContactValue, SumsTheSeries) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::contact_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::diffuse_walls_test {
 namespace {
 
 using quadrature::integral;
@@ -128,4 +128,4 @@ TEST(Spheres, LengthsLieWithinTheCorrections) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::diffuse_walls_test

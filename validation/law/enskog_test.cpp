@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::enskog_test {
 namespace {
 
 using std::numbers::pi;
@@ -60,4 +60,4 @@ TEST(CollisionRate, GivesBaryshevsEnskogTime) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::enskog_test

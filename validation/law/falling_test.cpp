@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::falling_test {
 namespace {
 
 /// Points in a column that never touch each other, each bouncing on the floor with r = 0.9, by their bounces.
@@ -98,4 +98,4 @@ TEST(PackedHeight, IsThatOfRowsOfTouchingSquaresOrCubes) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::falling_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::few_body_bounce_test {
 namespace {
 
 constexpr BouncingBall kBall{.gravity = 2, .height = 0.7, .velocity = 0.5, .restitution = 0.6};
@@ -129,4 +129,4 @@ TEST(VibratedBall, SlowFloorHasNoOrbit) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::few_body_bounce_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::few_body_line_test {
 namespace {
 
 constexpr std::array<double, 3> kEqual = {1, 1, 1}, kMixed = {1, 0.4, 2.5};
@@ -77,4 +77,4 @@ TEST(Cradle, SpeedOfTheBlow) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::few_body_line_test

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::few_body_test {
 namespace {
 
 Vector<3> random_vector(std::mt19937& generator) {
@@ -175,4 +175,4 @@ TEST(FewBody, CollapseIsRefused) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::few_body_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::fluctuation_test {
 namespace {
 
 TEST(CountVariance, OfPointsIsBinomial) {
@@ -140,4 +140,4 @@ TEST(WhiteSpectrum, OfIndependentSamplesIsFlat) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::fluctuation_test

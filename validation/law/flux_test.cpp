@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::flux_test {
 namespace {
 
 using std::numbers::pi;
@@ -117,4 +117,4 @@ TEST(Flux, StaysFiniteFarAgainstTheStream) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::flux_test

@@ -10,7 +10,7 @@
 // Independent of the closed forms: each point of a surface faces a drifting Maxwellian, whose flux of particles
 // and of momentum is integrated over velocities first and over the surface then.
 
-namespace sandglass::law {
+namespace sandglass::law::free_molecular_test {
 namespace {
 
 using quadrature::integral;
@@ -124,4 +124,4 @@ TEST(BarometricFraction, WithoutGravityIsEven) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::free_molecular_test

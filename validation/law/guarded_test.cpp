@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::guarded_test {
 namespace {
 
 double maxwell_speed_density(int dimension, double s) {
@@ -108,4 +108,4 @@ TEST(GuardedCoolingRate, WithoutAGuardIsHaffs) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::guarded_test

@@ -11,7 +11,7 @@
 #include <gsl/gsl_odeiv2.h>
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::haff_test {
 namespace {
 
 using std::numbers::pi;
@@ -101,4 +101,4 @@ TEST(HaffTimeScale, IsInfiniteForElasticParticles) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::haff_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::heap_test {
 namespace {
 
 constexpr Heap kHeap{.height = 40, .slope = 0.4, .kink_length = 3};
@@ -69,4 +69,4 @@ TEST(Heap, LargeHeapsFollowTheGrowthScaling) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::heap_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::impact_test {
 namespace {
 
 constexpr double kCoefficients[] = {-40, -1, -2e-3, -5e-4, 0, 1e-7, 5e-4, 2e-3, 0.3, 0.9, 0.99};
@@ -68,4 +68,4 @@ TEST(ImpactDistribution, IsEvenForMolecularChaos) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::impact_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::isolated_column_test {
 namespace {
 
 constexpr int kSteps = 200;  ///< of a height, of the lid
@@ -145,4 +145,4 @@ TEST(ExcludedVolume, ShiftIsTheFirstOrderOfTheProfile) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::isolated_column_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::mixing_test {
 namespace {
 
 const PairRepulsion kHard{1000, 2, 5, 0, 20, 30}, kSoft{1, 2, 2, 0.1, 5, 10}, kOdd{3, 1, 0, 0.2, 4, 9};
@@ -93,4 +93,4 @@ TEST(Mixing, WallFactorIsTheMeanOverOvershoots) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::mixing_test

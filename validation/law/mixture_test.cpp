@@ -11,7 +11,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::mixture_test {
 namespace {
 
 TEST(Mixture, OfOneSpeciesIsTheGas) {
@@ -101,4 +101,4 @@ TEST(Mixture, ElasticSpeciesExchangeEnergy) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::mixture_test

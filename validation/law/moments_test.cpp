@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::moments_test {
 namespace {
 
 using std::numbers::pi;
@@ -73,4 +73,4 @@ TEST(SonineMoments, OfOneComponentCarryTheSameFactor) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::moments_test

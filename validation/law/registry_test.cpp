@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::registry_test {
 namespace {
 
 using testing::AllOf;
@@ -136,4 +136,4 @@ TEST(Evaluate, LetsNoInfinityOut) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::registry_test

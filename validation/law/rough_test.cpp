@@ -9,7 +9,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::rough_test {
 namespace {
 
 Vector<3> normal_vector(Random& random, int dimension, double deviation) {
@@ -122,4 +122,4 @@ TEST(Rough, RatioIsNotMonotone) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::rough_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::sedimentation_test {
 namespace {
 
 using quadrature::integral;
@@ -140,4 +140,4 @@ TEST(ColumnSound, IsTheSlowestWaveOfAStratifiedGas) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::sedimentation_test

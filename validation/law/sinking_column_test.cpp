@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::sinking_column_test {
 namespace {
 
 SinkingColumn column_of(int dimension, double freedom, double mean_free_paths) {
@@ -58,4 +58,4 @@ TEST(SinkingColumn, StaysWithoutWeight) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::sinking_column_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::sonine_test {
 namespace {
 
 double sonine_polynomial(int dimension, double square) {
@@ -72,4 +72,4 @@ TEST(SonineFactors, AreTheFirstOrderPairAverages) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::sonine_test

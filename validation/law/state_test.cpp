@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::state_test {
 namespace {
 
 using std::numbers::pi;
@@ -93,4 +93,4 @@ TEST(SoundSpeed, OfBaryshevsGas) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::state_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::transport_test {
 namespace {
 
 using std::numbers::pi;
@@ -135,4 +135,4 @@ TEST(KinematicViscosity, HasUnitsOfLengthTimesSpeed) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::transport_test

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::uniform_shear_test {
 namespace {
 
 using std::numbers::pi;
@@ -210,4 +210,4 @@ TEST(ShearedGas, FollowsBagnold) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::uniform_shear_test

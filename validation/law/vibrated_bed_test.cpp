@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::vibrated_bed_test {
 namespace {
 
 using std::numbers::pi;
@@ -124,4 +124,4 @@ TEST(VibratedBed, IsKumaransInElasticWalls) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::vibrated_bed_test

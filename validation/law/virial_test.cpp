@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::law {
+namespace sandglass::law::virial_test {
 namespace {
 
 TEST(VirialCompressibility, IsTheSeriesWhereThatConverges) {
@@ -96,4 +96,4 @@ TEST(ReferenceCollisionRate, SharesItsContactValueWithThePressure) {
 }
 
 }  // namespace
-}  // namespace sandglass::law
+}  // namespace sandglass::law::virial_test

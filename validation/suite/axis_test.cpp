@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::axis_test {
 namespace {
 
 using testing::HasSubstr;
@@ -91,4 +91,4 @@ TEST(Axis, ErrorsHaveTheirPlaceAndTheNearestSpelling) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::axis_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::factors_test {
 namespace {
 
 using testing::HasSubstr;
@@ -73,4 +73,4 @@ TEST(Factors, WhatTheSceneLacksIsNamed) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::factors_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::overlay_test {
 namespace {
 
 constexpr const char* base_text =
@@ -62,4 +62,4 @@ TEST(DerivedSeed, DiffersByNameAndSeedAndFitsToml) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::overlay_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::pattern_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -37,4 +37,4 @@ TEST(Pattern, WordsAreNamesAndTagsOnce) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::pattern_test

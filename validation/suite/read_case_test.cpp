@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::read_case_test {
 namespace {
 
 using testing::HasSubstr;
@@ -93,4 +93,4 @@ TEST(ReadCase, EverySharedLimitAndAdditionIsUsedByACase) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::read_case_test

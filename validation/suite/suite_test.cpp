@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace sandglass {
+namespace sandglass::suite_test {
 namespace {
 
 constexpr const char* mutant =
@@ -151,4 +151,4 @@ TEST(Pool, RunsEveryJobOnceAndPassesOnTheFirstException) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::suite_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::sweep_test {
 namespace {
 
 Outcome outcome_of(double value, double standard_error) {
@@ -56,4 +56,4 @@ TEST(Sweep, ReplicasAreFollowedByTheirErrorBar) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::sweep_test

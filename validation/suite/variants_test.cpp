@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::variants_test {
 namespace {
 
 using testing::ElementsAre;
@@ -205,4 +205,4 @@ TEST(Mutants, CheckThatMustFailNeedsNone) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::variants_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::collisionless {
+namespace sandglass::collisionless::collisionless_test {
 namespace {
 
 const Grid<2> grid({8, 8}, {4, 4});
@@ -61,4 +61,4 @@ TEST(Collisionless, TheFaultOfTheFlightIsOneOfTheFamily) {
 }
 
 }  // namespace
-}  // namespace sandglass::collisionless
+}  // namespace sandglass::collisionless::collisionless_test

@@ -8,7 +8,7 @@
 
 // A gas that flies out of its box.
 
-namespace sandglass::collisionless {
+namespace sandglass::collisionless::open_sides_test {
 namespace {
 
 constexpr double kLength = 8, kDt = 0.1;
@@ -115,4 +115,4 @@ TEST(OpenSides, AnEmptyBoxGoesOn) {
 }
 
 }  // namespace
-}  // namespace sandglass::collisionless
+}  // namespace sandglass::collisionless::open_sides_test

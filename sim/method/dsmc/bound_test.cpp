@@ -11,7 +11,7 @@
 
 // The bound on relative speeds, and what happens when collisions raise it within a step.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::bound_test {
 namespace {
 
 template <int D>
@@ -148,4 +148,4 @@ TEST(Bound, NoNumberKeepsACellBusyOrSpreads) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::bound_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::cell_collisions_test {
 namespace {
 
 /// The stage by itself: nothing moves.
@@ -282,4 +282,4 @@ TEST(CellCollisions, PlantedFaultsShow) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::cell_collisions_test

@@ -6,7 +6,7 @@
 
 // A stage that swaps velocities between neighbouring cells: what it keeps, and that the order of the pairs is no matter.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::cell_stage_test {
 namespace {
 
 constexpr std::uint32_t kCells = 5;  // odd: the checkerboard closes on itself with a third colour
@@ -164,4 +164,4 @@ TEST(CellStage, EnergyIsThatOfTheParticles) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::cell_stage_test

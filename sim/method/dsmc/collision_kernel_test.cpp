@@ -6,7 +6,7 @@
 
 // What every collision must keep, and that the answer cannot depend on how cells are shared out.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::collision_kernel_test {
 namespace {
 
 template <int D>
@@ -115,4 +115,4 @@ TEST(Collisions, StepAndCellNameTheStream) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::collision_kernel_test

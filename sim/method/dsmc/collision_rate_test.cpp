@@ -9,7 +9,7 @@
 // How often pairs collide: sum over pairs of |v_ij| sigma dt / V, here 2 coefficient |v_ij|. Statistical bounds are 4.5
 // standard errors.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::collision_rate_test {
 namespace {
 
 template <int D>
@@ -137,4 +137,4 @@ TEST(CollisionRate, EmptyCellIgnoresTheMemoryBehindIt) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::collision_rate_test

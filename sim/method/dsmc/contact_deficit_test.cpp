@@ -7,7 +7,7 @@
 
 // The pairs that partners at contact miss: the fit against the integral of linear theory, docs/theory.md.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::contact_deficit_test {
 namespace {
 
 /// Transforms of the circle or sphere of radius one, of the ball over its volume, and of a partner's place in its cell along
@@ -70,4 +70,4 @@ TEST(ContactDeficit, SetsHowManyParticlesACellHolds) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::contact_deficit_test

@@ -9,7 +9,7 @@
 // The gas whose partners stand a diameter away, over many collisions: rate and pressure of Enskog's theory, less the pairs
 // that the method is known to miss (pair_deficit.hpp). Statistical bounds are 4.5 standard errors.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::contact_gas_test {
 namespace {
 
 constexpr double kFraction = 0.25, kPerCell = 10, kEdge = 1;
@@ -171,4 +171,4 @@ TEST(ContactGas, GoesOnBitwiseFromItsParticles) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::contact_gas_test

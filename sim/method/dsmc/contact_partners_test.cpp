@@ -12,7 +12,7 @@
 // Single steps of the collisions over a diameter against sums over all particles and directions. Statistical bounds are 4.5
 // standard errors.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::contact_partners_test {
 namespace {
 
 constexpr std::uint32_t kCells =
@@ -370,4 +370,4 @@ TEST(ContactPartners, RefuseCellsNarrowerThanADiameter) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::contact_partners_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::curve_test {
 namespace {
 
 TEST(Curve, IsStraightBetweenItsPointsAndConstantBeyond) {
@@ -19,4 +19,4 @@ TEST(Curve, IsStraightBetweenItsPointsAndConstantBeyond) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::curve_test

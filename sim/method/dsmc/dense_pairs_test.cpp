@@ -8,7 +8,7 @@
 
 // Species of a dense gas: a contact factor and an offset for each pair. Statistical bounds are 4.5 standard errors.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::dense_pairs_test {
 namespace {
 
 constexpr std::array<double, 4> kShares{0.6, 0.8, 0.8, 1};
@@ -97,4 +97,4 @@ TEST(DensePairs, OffsetCarriesTheMomentumOfHardCores) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::dense_pairs_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::dsmc_test {
 namespace {
 
 constexpr std::size_t kParticles = 3000;
@@ -151,4 +151,4 @@ TEST(Dsmc, FaultsChangeTheRun) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::dsmc_test

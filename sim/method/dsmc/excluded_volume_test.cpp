@@ -5,7 +5,7 @@
 
 // Hybrid simulation Monte Carlo as a whole: what full cells keep out, and what changes nothing where none is full.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::excluded_volume_test {
 namespace {
 
 template <int D>
@@ -224,4 +224,4 @@ TEST(ExcludedVolume, RampDrawsAnewInEveryStep) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::excluded_volume_test

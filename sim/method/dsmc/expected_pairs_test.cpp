@@ -12,7 +12,7 @@
 // What an offset takes from cells of few particles, and that expected pairs make up for it. Statistical bounds are 4.5 standard
 // errors.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::expected_pairs_test {
 namespace {
 
 template <int D>
@@ -186,4 +186,4 @@ TEST(PairDeficit, OfTheReportedGas) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::expected_pairs_test

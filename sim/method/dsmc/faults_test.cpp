@@ -7,7 +7,7 @@
 
 // Each planted fault changes what it says, by as much as it says. Statistical bounds are 4.5 standard errors.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::faults_test {
 namespace {
 
 constexpr std::uint64_t kStreams = 100'000;
@@ -103,4 +103,4 @@ TEST(Faults, AreNoticed) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::faults_test

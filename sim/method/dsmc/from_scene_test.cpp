@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::from_scene_test {
 namespace {
 
 Scene box_of(std::uint64_t particles) {
@@ -81,4 +81,4 @@ TEST(FromScene, MoreCellsThanNumbersAreRefused) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::from_scene_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::full_cells_test {
 namespace {
 
 TEST(FullCells, HaveNoRoomForOneMore) {
@@ -55,4 +55,4 @@ TEST(FullCells, CountRealParticles) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::full_cells_test

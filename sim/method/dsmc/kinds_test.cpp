@@ -5,7 +5,7 @@
 
 // Species and spins through whole steps: columns travel with their particles, and walls know them.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::kinds_test {
 namespace {
 
 constexpr double kEdge = 4;
@@ -145,4 +145,4 @@ TEST(Kinds, GoOnAfterARestart) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::kinds_test

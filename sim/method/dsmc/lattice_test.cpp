@@ -8,7 +8,7 @@
 // Cells that are displaced every step, and cells that stand on a corner: rates, books, full cells and restarts are those of
 // the fixed cells.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::lattice_test {
 namespace {
 
 enum class Kind { fixed, shifted, diagonal };
@@ -233,4 +233,4 @@ TEST(LatticeOfDsmc, HoldsUpACollapsedColumn) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::lattice_test

@@ -12,7 +12,7 @@
 // An ideal gas has Poisson counts of mean lambda in its cells (nearly, for N is fixed), and <N (N - 1) g> should be lambda^2 g(lambda): the rate of
 // collisions at the mean density.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::local_factor_test {
 namespace {
 
 template <int D>
@@ -159,4 +159,4 @@ TEST(LocalContactFactor, OfFullCellsIsThatOfTheirDensity) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::local_factor_test

@@ -8,7 +8,7 @@
 
 // Mixtures. Statistical bounds are 4.5 standard errors.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::mixed_pairs_test {
 namespace {
 
 Parameters mixture(int dimension, const std::vector<SpeciesTraits>& species, double restitution) {
@@ -164,4 +164,4 @@ TEST(MixedPairs, FaultOfTheReducedMassBreaksTheEnergyAndKeepsMomentum) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::mixed_pairs_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::mixture_factor_test {
 namespace {
 
 template <int D>
@@ -140,4 +140,4 @@ TEST(MixtureContactFactor, FaultGivesAllPairsTheLargest) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::mixture_factor_test

@@ -8,7 +8,7 @@
 
 // A number of particles that changes during a run.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::number_test {
 namespace {
 
 Particles<2> some_particles(std::size_t count, std::uint64_t stream) {
@@ -142,4 +142,4 @@ TEST(SimulatorNumber, IsFixedUnlessTheMethodSaysOtherwise) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::number_test

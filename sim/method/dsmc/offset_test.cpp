@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::offset_test {
 namespace {
 
 constexpr std::uint32_t kPairs = 40'000;
@@ -129,4 +129,4 @@ TEST(NoOffset, LeavesPositionsAlone) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::offset_test

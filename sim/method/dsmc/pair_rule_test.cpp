@@ -8,7 +8,7 @@
 
 // The kernel with another pair rule than its own: disks of two diameters and masses. Statistical bounds are 4.5 standard errors.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::pair_rule_test {
 namespace {
 
 /// Diameter and mass are one plus position[0], which is 0 or 1. Cross-sections in units of that of two small disks.
@@ -89,4 +89,4 @@ TEST(PairRule, SetsWhatACollisionDoes) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::pair_rule_test

@@ -5,7 +5,7 @@
 
 // Particles with spin in the collision kernel; the rule itself is tested in sim/physics.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::rough_pairs_test {
 namespace {
 
 Parameters rough(int dimension, const Surface& surface) {
@@ -138,4 +138,4 @@ TEST(RoughPairs, SayTheMomentumChangeAlongTheLineOfCentres) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::rough_pairs_test

@@ -11,7 +11,7 @@
 
 // Collisions by the clock of each cell. Statistical bounds are 4.5 standard errors.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::time_counter_test {
 namespace {
 
 Parameters with_clocks(Parameters parameters = transparent()) {
@@ -206,4 +206,4 @@ TEST(TimeCounter, TimeOfAnotherPairIsThatOfTheFirstTwo) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::time_counter_test

@@ -7,7 +7,7 @@
 
 // The gas between walls that move and draw: what a restart needs.
 
-namespace sandglass::dsmc {
+namespace sandglass::dsmc::walls_test {
 namespace {
 
 constexpr double kDt = 0.05;
@@ -101,4 +101,4 @@ TEST(DsmcWalls, TimeIsSavedOnlyIfAWallMoves) {
 }
 
 }  // namespace
-}  // namespace sandglass::dsmc
+}  // namespace sandglass::dsmc::walls_test

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::agents_by_cell_test {
 namespace {
 
 template <int D>
@@ -84,4 +84,4 @@ TEST(Codes, MoreThanNumbersCanNameAreRefused) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::agents_by_cell_test

@@ -1,6 +1,6 @@
 #include "sim/method/event_driven/test_gas.hpp"
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::agents_test {
 namespace {
 
 TEST(Agents, AWallAtRestTurnsTheNormalVelocityRound) {
@@ -212,4 +212,4 @@ TEST(Agents, AParticleOnANewWayCollidesThere) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::agents_test

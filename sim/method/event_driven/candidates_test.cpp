@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::candidates_test {
 namespace {
 
 /// Particles in `cells` random chains, the first of each.
@@ -83,4 +83,4 @@ TEST(ContactTime, IsTheSameForOneAndForFour) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::candidates_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::collapse_test {
 namespace {
 
 /// Below this three particles on a line collapse (Bernu & Mazighi 1990; McNamara & Young 1992).
@@ -182,4 +182,4 @@ TEST(Collapse, ABallOnAGuardedFloorGoesOn) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::collapse_test

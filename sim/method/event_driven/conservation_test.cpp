@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::conservation_test {
 namespace {
 
 /// Smallest distance of two particles less their contact distance, by every pair and image.
@@ -147,4 +147,4 @@ TEST(Cooling, TheCalendarFollowsEightDecadesOfEnergy) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::conservation_test

@@ -2,7 +2,7 @@
 
 #include "sim/base/random.hpp"
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::event_driven_test {
 namespace {
 
 TEST(EventDriven, TwoDisksMeetHeadOnAndExchangeVelocities) {
@@ -19,4 +19,4 @@ TEST(EventDriven, TwoDisksMeetHeadOnAndExchangeVelocities) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::event_driven_test

@@ -1,6 +1,6 @@
 #include "sim/method/event_driven/test_gas.hpp"
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::extreme_test {
 namespace {
 
 TEST(Extreme, NobodyAndOneAndAllAtRest) {
@@ -169,4 +169,4 @@ TEST(Extreme, ABallThatTurnsAtTheEdgeOfACell) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::extreme_test

@@ -2,7 +2,7 @@
 
 #include "sim/method/event_driven/test_gas.hpp"
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::faults_test {
 namespace {
 
 TEST(Faults, TheFaultyEngineWithASmallFaultIsTheHonestOneToRounding) {
@@ -51,4 +51,4 @@ TEST(Faults, AStaleContactIsCarriedOut) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::faults_test

@@ -2,7 +2,7 @@
 
 #include <set>
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::obstacles_test {
 namespace {
 
 constexpr double kSpacing = 4, kRadius = 0.8;
@@ -106,4 +106,4 @@ TEST(Obstacles, FarAwayCostNothing) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::obstacles_test

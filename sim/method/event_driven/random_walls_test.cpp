@@ -1,6 +1,6 @@
 #include "sim/method/event_driven/test_gas.hpp"
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::random_walls_test {
 namespace {
 
 struct Start {
@@ -71,4 +71,4 @@ TEST(Virial, DoesNotDependOnTheOrderOfParticles) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::random_walls_test

@@ -1,6 +1,6 @@
 #include "sim/method/event_driven/test_gas.hpp"
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::restart_test {
 namespace {
 
 /// Everything that the two show is the same to the last bit.
@@ -178,4 +178,4 @@ TEST(Reversal, ReturnsToTheStartUntilTheLyapunovHorizon) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::restart_test

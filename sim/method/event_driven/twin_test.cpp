@@ -1,6 +1,6 @@
 #include "sim/method/event_driven/test_twin.hpp"
 
-namespace sandglass::event_driven {
+namespace sandglass::event_driven::twin_test {
 namespace {
 
 TEST(Twin, DiluteAndDenseDisks) {
@@ -123,4 +123,4 @@ TEST(Twin, WalledBoxesOfOneCell) {
 }
 
 }  // namespace
-}  // namespace sandglass::event_driven
+}  // namespace sandglass::event_driven::twin_test

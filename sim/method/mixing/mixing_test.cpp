@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::mixing {
+namespace sandglass::mixing::mixing_test {
 namespace {
 
 /// Example 1 of the source but for the start.
@@ -198,4 +198,4 @@ TEST(Family, ListsItsFaults) {
 }
 
 }  // namespace
-}  // namespace sandglass::mixing
+}  // namespace sandglass::mixing::mixing_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::mixing {
+namespace sandglass::mixing::repulsion_test {
 namespace {
 
 TEST(Power, IsThatOfTheLibrary) {
@@ -81,4 +81,4 @@ TEST(PairForces, OfCoincidingParticlesAreZero) {
 }
 
 }  // namespace
-}  // namespace sandglass::mixing
+}  // namespace sandglass::mixing::repulsion_test

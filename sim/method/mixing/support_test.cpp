@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::mixing {
+namespace sandglass::mixing::support_test {
 namespace {
 
 SupportParameters blocks_of_25() { return {{100, 100}, 4, 4, 20, 1e-3}; }
@@ -92,4 +92,4 @@ TEST(Support, IsThatOfTheListingOnALattice) {
 }
 
 }  // namespace
-}  // namespace sandglass::mixing
+}  // namespace sandglass::mixing::support_test

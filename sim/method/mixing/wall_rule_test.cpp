@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::mixing {
+namespace sandglass::mixing::wall_rule_test {
 namespace {
 
 constexpr std::uint32_t kMost = 100;
@@ -94,4 +94,4 @@ TEST(WallRule, GivesUpOnWhoIsThrown) {
 }
 
 }  // namespace
-}  // namespace sandglass::mixing
+}  // namespace sandglass::mixing::wall_rule_test

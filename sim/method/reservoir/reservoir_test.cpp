@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass::reservoir {
+namespace sandglass::reservoir::reservoir_test {
 namespace {
 
 constexpr std::uint64_t kSteps = 4000;
@@ -120,4 +120,4 @@ TEST(Reservoir, ReplicasAndStepsDiffer) {
 }
 
 }  // namespace
-}  // namespace sandglass::reservoir
+}  // namespace sandglass::reservoir::reservoir_test

@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::fit_box_test {
 namespace {
 
 const std::string boxless = R"([run]
@@ -67,4 +67,4 @@ const std::vector<BadEdit> errors = {
 INSTANTIATE_TEST_SUITE_P(Box, FitBoxErrors, testing::ValuesIn(errors), edit_name);
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::fit_box_test

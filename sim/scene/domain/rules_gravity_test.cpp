@@ -2,7 +2,7 @@
 
 // Gravity along a periodic axis: what particles gain in the fall must go somewhere.
 
-namespace sandglass {
+namespace sandglass::rules_gravity_test {
 namespace {
 
 const std::string pipe = R"([run]
@@ -73,4 +73,4 @@ TEST(EndlessFall, EndsAtWhateverTakesMomentumAndEnergy) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rules_gravity_test

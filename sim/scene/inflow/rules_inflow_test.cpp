@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::rules_inflow_test {
 namespace {
 
 const std::string good = R"([run]
@@ -152,4 +152,4 @@ positions = "lattice"
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rules_inflow_test

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace sandglass {
+namespace sandglass::rules_given_test {
 namespace {
 
 const std::string good = R"([run]
@@ -238,4 +238,4 @@ TEST(GivenTogether, OtherMethodsPlacePointsAnywhereInTheBox) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rules_given_test

@@ -1,7 +1,7 @@
 #include "sim/scene/method/capabilities.hpp"
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::dsmc_excluded_volume_test {
 namespace {
 
 const std::string good = R"([run]
@@ -133,4 +133,4 @@ TEST(ExcludedVolumeScene, RefusesDiagonalCellsIn3D) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::dsmc_excluded_volume_test

@@ -1,7 +1,7 @@
 #include "sim/scene/method/capabilities.hpp"
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::dsmc_partners_test {
 namespace {
 
 const std::string good = R"([run]
@@ -98,4 +98,4 @@ TEST(PartnersScene, MissesPairsWhereCollisionsPushThemApart) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::dsmc_partners_test

@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::dsmc_species_test {
 namespace {
 
 const std::string mixture = R"([run]
@@ -84,4 +84,4 @@ TEST(RoughParticles, GoWithContactValueAndOffset) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::dsmc_species_test

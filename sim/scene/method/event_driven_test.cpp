@@ -1,7 +1,7 @@
 #include "sim/scene/test_bad_scene.hpp"
 #include "sim/scene/test_driven_disks.hpp"
 
-namespace sandglass {
+namespace sandglass::event_driven_test {
 namespace {
 
 class EventDriven : public testing::TestWithParam<BadEdit> {};
@@ -148,4 +148,4 @@ TEST(EventDrivenTogether, PairCorrelationReachesHalfTheShortestEdge) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::event_driven_test

@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::mixing_test {
 namespace {
 
 const std::string kFluids = R"([run]
@@ -172,4 +172,4 @@ TEST(MixingGiven, IsReadAsWritten) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::mixing_test

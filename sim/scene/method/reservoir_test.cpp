@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::reservoir_test {
 namespace {
 
 const std::string good = R"([run]
@@ -104,4 +104,4 @@ TEST(ReservoirAlone, NeedsCrossings) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::reservoir_test

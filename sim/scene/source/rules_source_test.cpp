@@ -1,6 +1,6 @@
 #include "sim/scene/test_bad_scene.hpp"
 
-namespace sandglass {
+namespace sandglass::rules_source_test {
 namespace {
 
 const std::string good = R"([run]
@@ -162,4 +162,4 @@ TEST(OpenSides, AreNeitherPeriodicNorWalled) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rules_source_test

@@ -1,7 +1,7 @@
 #include "sim/scene/test_bad_scene.hpp"
 #include "sim/scene/test_driven_disks.hpp"
 
-namespace sandglass {
+namespace sandglass::rules_surface_test {
 namespace {
 
 class Surfaces : public testing::TestWithParam<BadEdit> {};
@@ -105,4 +105,4 @@ const std::vector<BadEdit> surface_edits = {
 INSTANTIATE_TEST_SUITE_P(Surface, Surfaces, testing::ValuesIn(surface_edits), edit_name);
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rules_surface_test
