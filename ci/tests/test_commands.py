@@ -84,3 +84,15 @@ def test_failed_step_shows_the_end_of_its_log(tmp_path):
     assert done.stdout.startswith("trying ... failed with exit code 7")
     assert "  | first\n  | last\n" in done.stdout
     assert done.stdout.endswith(f"whole log: {tmp_path}/try.log\n")
+
+
+def test_every_bug_of_the_list_still_finds_its_place():
+    done = run(CI / "source-bugs", "--list")
+    assert done.returncode == 0, done.stderr
+    assert "gravity-of-steps-reversed" in done.stdout.split()
+
+
+def test_unknown_source_bug():
+    done = run(CI / "source-bugs", "--bug", "pair-with-itsel")
+    assert done.returncode == 2
+    assert "did you mean 'pair-with-itself'?" in done.stderr
