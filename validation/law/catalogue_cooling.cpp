@@ -27,17 +27,35 @@ Law gas_law(std::string name, std::string summary, std::string source, std::stri
           .evaluate = of_gas(result)};
 }
 
-Law a2_law(std::string name, std::string source, std::string validity, double (*a2)(int, double)) {
+Law shape_law(std::string name, std::string summary, std::string source, std::string validity,
+              double (*shape)(int, double)) {
   return {.name = std::move(name),
-          .summary = "first Sonine coefficient of the homogeneous cooling state",
+          .summary = std::move(summary),
           .source = std::move(source),
           .units = "1",
           .validity = std::move(validity),
           .parameters = {dissipation(), dimension()},
-          .evaluate = [a2](const Arguments& arguments) {
+          .evaluate = [shape](const Arguments& arguments) {
             const Gas gas = gas_from(arguments);
-            return a2(gas.dimension, gas.restitution);
+            return shape(gas.dimension, gas.restitution);
           }};
+}
+
+std::vector<Law> shape_laws() {
+  const std::string first = "first Sonine coefficient of the homogeneous cooling state";
+  const std::string third = "restitution from 0.3 on: the next order changes it by at most 0.0022 (1 - r^2)";
+  return {
+      shape_law("sonine-a2", first, "van Noije & Ernst 1998", "linear order in a2", sonine_a2),
+      shape_law("sonine-a2-relinearised", first, "Montanero & Santos 2000; docs/theory.md",
+                "linear order in a2; nearer to simulations for restitution below 0.6",
+                sonine_a2_relinearised),
+      shape_law("sonine-a2-third-order", first + ", a3 kept", "docs/theory.md", third,
+                [](int dimension, double r) { return sonine_coefficients<3>(dimension, r)[0]; }),
+      shape_law(
+          "sonine-sixth-moment",
+          "sixth moment of the speed over Maxwell's, less one, in the homogeneous cooling state: 3 a2 - a3",
+          "docs/theory.md", third,
+          [](int dimension, double r) { return sonine_sixth_moment(sonine_coefficients<3>(dimension, r)); })};
 }
 
 double collision_rate_sonine(const Gas& gas) {
@@ -105,10 +123,7 @@ Law energy_of_collisions_law() {
 std::vector<Law> cooling_laws() {
   std::vector<Law> laws = rate_laws();
   for (auto law : {energy_law, collisions_law, energy_of_collisions_law}) laws.push_back(law());
-  laws.push_back(a2_law("sonine-a2", "van Noije & Ernst 1998", "linear order in a2", sonine_a2));
-  laws.push_back(a2_law("sonine-a2-relinearised", "Montanero & Santos 2000; docs/theory.md",
-                        "linear order in a2; nearer to simulations for restitution below 0.6",
-                        sonine_a2_relinearised));
+  for (Law& law : shape_laws()) laws.push_back(std::move(law));
   return laws;
 }
 

@@ -68,6 +68,8 @@ TEST(Catalogue, CoolingLawsTakeTheirArguments) {
   EXPECT_DOUBLE_EQ(value("haff-energy-ratio-of-collisions"), haff_energy_ratio_of_collisions(3, 0.6, 3.1));
   EXPECT_DOUBLE_EQ(value("sonine-a2"), sonine_a2(3, 0.6));
   EXPECT_DOUBLE_EQ(value("sonine-a2-relinearised"), sonine_a2_relinearised(3, 0.6));
+  EXPECT_DOUBLE_EQ(value("sonine-a2-third-order"), sonine_coefficients<3>(3, 0.6)[0]);
+  EXPECT_DOUBLE_EQ(value("sonine-sixth-moment"), sonine_sixth_moment(sonine_coefficients<3>(3, 0.6)));
   EXPECT_DOUBLE_EQ(value("collision-rate-sonine"),
                    collision_rate(kGas) * sonine_collision_factor(sonine_a2(3, 0.6)));
 }

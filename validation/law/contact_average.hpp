@@ -6,13 +6,15 @@
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <gsl/gsl_integration.h>
 
-/// Averages over the colliding pairs of a Maxwellian gas, the raw material of every Enskog result: the tests
-/// build the laws again from them. Velocities in units of sqrt(2T/m); in 2D the z component stays zero.
+/// Averages over the colliding pairs of a Maxwellian gas, the raw material of every Enskog result: laws without a closed
+/// form are built of them, and the tests build the others again. Velocities in units of sqrt(2T/m); in 2D the z component
+/// stays zero.
 namespace sandglass::law {
 
 struct Contact {
@@ -23,8 +25,7 @@ struct Contact {
 
 using Nodes = std::vector<std::pair<double, double>>;  ///< position, weight
 
-inline Nodes gauss_nodes(const gsl_integration_fixed_type* type, double alpha) {
-  constexpr std::size_t count = 6;  // exact to degree 11
+inline Nodes gauss_nodes(const gsl_integration_fixed_type* type, double alpha, std::size_t count) {
   const std::unique_ptr<gsl_integration_fixed_workspace, void (*)(gsl_integration_fixed_workspace*)> space(
       gsl_integration_fixed_alloc(type, count, 0, 1, alpha, 0), gsl_integration_fixed_free);
   if (!space) throw std::runtime_error("no quadrature nodes");
@@ -48,14 +49,25 @@ struct Motion {
   }
 };
 
+/// A number or a matrix of them.
+template <class Function, class Argument>
+using Answer = std::remove_cvref_t<std::invoke_result_t<Function, Argument>>;
+template <class Value>
+Value zero() {
+  if constexpr (std::is_arithmetic_v<Value>)
+    return 0;
+  else
+    return Value::Zero();
+}
+
 /// Sums over the coordinates from `coordinate` on: centre x, y, (z), then relative y, (z).
 template <class Function>
-double sum_coordinates(int dimension, int coordinate, const Nodes& nodes, Motion& motion,
-                       const Function& function) {
+Answer<Function, Motion> sum_coordinates(int dimension, int coordinate, const Nodes& nodes, Motion& motion,
+                                         const Function& function) {
   if (coordinate == 2 * dimension - 1) return function(motion);
   const bool centre = coordinate < dimension;
   double& target = centre ? motion.centre[coordinate] : motion.relative[coordinate - dimension + 1];
-  double sum = 0;
+  auto sum = zero<Answer<Function, Motion>>();
   for (const auto& [node, weight] : nodes) {
     target = centre ? node / std::sqrt(2) : node * std::sqrt(2);
     sum += weight / std::sqrt(std::numbers::pi) *
@@ -64,19 +76,21 @@ double sum_coordinates(int dimension, int coordinate, const Nodes& nodes, Motion
   return sum;
 }
 
-/// Integral of phi(c1) phi(c2) g_x^power F(contact) over approaching pairs (g_x > 0), contact along x. Exact
-/// for polynomials F of degree up to 11 that are even in g_x after the average over the rest.
+/// Integral of phi(c1) phi(c2) g_x^power F(contact) over approaching pairs (g_x > 0), contact along x. Exact for
+/// polynomials F of degree below twice the number of `nodes` that are even in g_x after the average over the rest.
 template <class Function>
-double contact_average(int dimension, double restitution, const Function& function, int power = 1) {
+Answer<Function, Contact> contact_average(int dimension, double restitution, const Function& function,
+                                          int power = 1, std::size_t nodes = 6) {
   const double exponent = (power - 1) / 2.0;  // g_x^power dg_x = (2u)^exponent du with u = g_x^2/2
-  const Nodes gaussian = gauss_nodes(gsl_integration_fixed_hermite, 0);
-  const Nodes approach = gauss_nodes(gsl_integration_fixed_laguerre, exponent);
+  const Nodes gaussian = gauss_nodes(gsl_integration_fixed_hermite, 0, nodes);
+  const Nodes approach = gauss_nodes(gsl_integration_fixed_laguerre, exponent, nodes);
   Motion motion;
-  double sum = 0;
+  auto sum = zero<Answer<Function, Contact>>();
   for (const auto& [energy, weight] : approach) {
     motion.relative.x() = std::sqrt(2 * energy);
-    sum += weight * sum_coordinates(dimension, 0, gaussian, motion,
-                                    [&](const Motion& at) { return function(at.contact(restitution)); });
+    sum += weight * sum_coordinates(dimension, 0, gaussian, motion, [&](const Motion& at) {
+             return Answer<Function, Contact>(function(at.contact(restitution)));
+           });
   }
   return sum * std::pow(2, exponent) / std::sqrt(2 * std::numbers::pi);
 }

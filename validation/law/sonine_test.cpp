@@ -62,6 +62,42 @@ TEST(SonineA2, VanishesForElasticParticlesAndAtInverseRootTwo) {
     }
 }
 
+// The same moments by exact algebra over fractions (Gaussian integrals of polynomials), solved apart from this code.
+TEST(SonineCoefficients, AreThoseOfExactAlgebra) {
+  const auto expect = [](int dimension, double restitution, double a2, double a3) {
+    const Eigen::Vector2d a = sonine_coefficients<3>(dimension, restitution);
+    EXPECT_NEAR(a[0], a2, 1e-8) << dimension << "D, r = " << restitution;
+    EXPECT_NEAR(a[1], a3, 1e-8) << dimension << "D, r = " << restitution;
+  };
+  expect(2, 0.9, -0.0298144956, -0.0071743031);
+  expect(2, 0.6, 0.0334711351, -0.0091458584);
+  expect(2, 0.0, 0.2108053325, -0.0166315844);
+  expect(3, 0.9, -0.0156987511, -0.0031986969);
+  expect(3, 0.6, 0.0212893854, -0.0053197105);
+  expect(3, 0.0, 0.1605134044, -0.0090094193);
+}
+
+TEST(SonineCoefficients, AtSecondOrderAreTheClosedForms) {
+  for (int dimension : {2, 3})
+    for (double restitution : {0.0, 0.5, 0.9, 1.0}) {
+      EXPECT_NEAR(sonine_coefficients<2>(dimension, restitution)[0],
+                  sonine_a2_relinearised(dimension, restitution), 1e-13);
+      EXPECT_NEAR(sonine_coefficients<2>(dimension, restitution, Linearised::products)[0],
+                  sonine_a2(dimension, restitution), 1e-13);
+    }
+}
+
+TEST(SonineCoefficients, MoveLittleAtTheNextOrder) {
+  for (double restitution : {0.3, 0.5, 0.6, 0.8, 0.9, 0.95, 0.99}) {
+    const double scale = 1 - restitution * restitution;
+    const Eigen::Vector2d third = sonine_coefficients<3>(2, restitution);
+    const Eigen::Vector3d fourth = sonine_coefficients<4>(2, restitution);
+    const double sixth = sonine_sixth_moment(third) - (3 * fourth[0] - fourth[1]);
+    EXPECT_LT(std::abs(third[0] - fourth[0]), kNextOrderOfA2 * scale);
+    EXPECT_LT(std::abs(sixth), kNextOrderOfSixthMoment * scale);
+  }
+}
+
 TEST(SonineFactors, AreTheFirstOrderPairAverages) {
   for (int dimension : {2, 3}) {
     const double collisions = expand(dimension, 0.7, [](const Contact&) { return 1.0; }).relative();
