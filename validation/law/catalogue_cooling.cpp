@@ -2,6 +2,7 @@
 #include "validation/law/enskog.hpp"
 #include "validation/law/haff.hpp"
 #include "validation/law/parameters.hpp"
+#include "validation/law/shear_modes.hpp"
 #include "validation/law/sonine.hpp"
 
 namespace sandglass::law {
@@ -74,7 +75,10 @@ std::vector<Law> rate_laws() {
           gas_law("haff-time-scale", "time scale of Haff's law, 2D/((1-r^2) omega)", maxwell, "time",
                   kMaxwellian, haff_time_scale),
           gas_law("haff-time-scale-sonine", "time scale of Haff's law with the Sonine cooling rate", sonine,
-                  "time", kSonine, haff_time_scale_sonine)};
+                  "time", kSonine, haff_time_scale_sonine),
+          gas_law("marginal-wave-length",
+                  "shear waves longer than this grow in a cooling gas, 2 pi sqrt(2 eta/(zeta rho))",
+                  "Goldhirsch & Zanetti 1993; docs/theory.md", "length", kMaxwellian, marginal_wave_length)};
 }
 
 Law energy_law() {

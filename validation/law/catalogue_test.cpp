@@ -4,6 +4,7 @@
 #include "validation/law/flux.hpp"
 #include "validation/law/haff.hpp"
 #include "validation/law/moments.hpp"
+#include "validation/law/shear_modes.hpp"
 #include "validation/law/sonine.hpp"
 #include "validation/law/state.hpp"
 #include "validation/law/transport.hpp"
@@ -57,6 +58,7 @@ TEST(Catalogue, GasLawsCallTheFunctionOfTheirName) {
       {"cooling-rate-sonine", cooling_rate_sonine},
       {"haff-time-scale", haff_time_scale},
       {"haff-time-scale-sonine", haff_time_scale_sonine},
+      {"marginal-wave-length", marginal_wave_length},
       {"sound-speed", sound_speed},
       {"enskog-bulk-viscosity", enskog_bulk_viscosity}};
   for (const auto& [name, function] : functions) EXPECT_DOUBLE_EQ(value(name), function(kGas)) << name;
