@@ -16,12 +16,20 @@ namespace {
 
 using Command = std::function<int(const Options&)>;
 
+void add_settings(CLI::App& command, Options& options) {
+  command
+      .add_option("--set", options.settings,
+                  "lay key=value over the scene, as in --set species.restitution=0.9; may be repeated")
+      ->allow_extra_args(false);
+}
+
 void add_run(CLI::App& app, Options& options) {
   CLI::App* run = app.add_subcommand("run", "run a scene and write its record");
   run->add_option("scene", options.subject, "scene file (TOML)")->required();
   run->add_option("-o,--output", options.output,
                   "record to write (default: from the scene, else its name with .h5)");
   run->add_option("--seed", options.seed, "seed instead of the scene's");
+  add_settings(*run, options);
   run->add_flag("--overwrite", options.overwrite, "replace a record that exists");
   run->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
   CLI::App* resume = app.add_subcommand("resume", "go on from a checkpoint");
@@ -31,6 +39,7 @@ void add_run(CLI::App& app, Options& options) {
   resume->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
   CLI::App* plan = app.add_subcommand("plan", "say what a scene needs and what is left out");
   plan->add_option("scene", options.subject, "scene file (TOML)")->required();
+  add_settings(*plan, options);
   plan->add_flag("--json", options.json, "as JSON");
 }
 

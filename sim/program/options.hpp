@@ -16,6 +16,7 @@ struct Options {
   std::string format = "vtp";
   std::string tier = "standard";
   std::string variant;
+  std::vector<std::string> settings;  ///< key=value pairs laid over a scene
   std::optional<std::uint64_t> seed;
   int jobs = 0;  ///< 0: as many as there are cores
   bool json = false, quiet = false, overwrite = false, mutants = false;

@@ -1,3 +1,4 @@
+#include "sim/program/edited_scene.hpp"
 #include "sim/program/memory.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/table.hpp"
@@ -69,7 +70,7 @@ std::string as_text(const Plan& plan) {
 }  // namespace
 
 int show_plan(const Options& options) {
-  const Plan planned = plan(read_scene_file(options.subject));
+  const Plan planned = plan(read_edited_scene(options.subject, options.settings));
   fmt::print("{}", options.json ? as_json(planned).dump(2) + "\n" : as_text(planned));
   return all_well;
 }

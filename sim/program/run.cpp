@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/base/steady.hpp"
+#include "sim/program/edited_scene.hpp"
 #include "sim/program/memory.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/progress_line.hpp"
@@ -135,7 +136,7 @@ void heed_plan(const Scene& scene, bool quiet) {
 }  // namespace
 
 int run(const Options& options) {
-  Scene scene = read_scene_file(options.subject);
+  Scene scene = read_edited_scene(options.subject, options.settings);
   heed_plan(scene, options.quiet);
   if (options.seed) scene.run.seed = *options.seed;
   const std::string path = record_path(options, scene);

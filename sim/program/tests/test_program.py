@@ -8,7 +8,9 @@ import shutil
 import signal
 import subprocess
 import time
+import tomllib
 
+import h5py
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -49,6 +51,22 @@ def scene(tmp_path):
     path = tmp_path / "gas.toml"
     path.write_text(SCENE.replace("STEPS", "500"))
     return path
+
+
+def test_settings_lie_over_the_scene_and_reach_the_record(scene, tmp_path):
+    settings = ("--set", "species.restitution=0.5", "--set", "run.duration.steps=10")
+    assert "10 steps" in run("plan", scene, *settings).stdout
+    done = run("run", scene, *settings, "-o", tmp_path / "half.h5", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    with h5py.File(tmp_path / "half.h5") as record:
+        resolved = tomllib.loads(record["/sandglass/scene"][()].decode())
+    assert resolved["species"][0]["restitution"] == 0.5 and resolved["run"]["duration"] == {"steps": 10}
+
+
+def test_a_setting_that_is_wrong_is_named(scene):
+    done = run("run", scene, "--set", "species.restituton=0.5")
+    assert done.returncode == 2
+    assert "--set species.restituton=0.5" in done.stderr and "did you mean 'restitution'?" in done.stderr
 
 
 @pytest.mark.parametrize("what", ["methods", "observers", "cases", "laws", "checks", "claims", "mutations"])
