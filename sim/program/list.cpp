@@ -4,6 +4,7 @@
 #include "sim/program/folders.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/table.hpp"
+#include "sim/program/templates.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/method/family.hpp"
 #include "validation/check/check.hpp"
@@ -86,6 +87,7 @@ const std::map<std::string, std::function<Entries()>>& lists() {
       {"cases", cases},
       {"claims", claims},
       {"mutations", [] { return names_of(planted_faults()); }},
+      {"templates", [] { return names_of(templates()); }},
   };
   return all;
 }

@@ -23,6 +23,14 @@ void add_settings(CLI::App& command, Options& options) {
       ->allow_extra_args(false);
 }
 
+void add_new(CLI::App& app, Options& options) {
+  CLI::App* fresh = app.add_subcommand("new", "write a complete scene to start from");
+  fresh->add_option("template", options.subject, "which one (sandglass list templates)")->required();
+  fresh->add_option("-o,--output", options.output, "file to write (default: the template's name with .toml)");
+  fresh->add_flag("--overwrite", options.overwrite, "replace a file that exists");
+  fresh->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
+}
+
 void add_run(CLI::App& app, Options& options) {
   CLI::App* run = app.add_subcommand("run", "run a scene and write its record");
   run->add_option("scene", options.subject, "scene file (TOML)")->required();
@@ -60,8 +68,8 @@ void add_judging(CLI::App& app, Options& options) {
 }
 
 void add_looking(CLI::App& app, Options& options) {
-  CLI::App* list =
-      app.add_subcommand("list", "list methods, observers, cases, laws, checks, claims or mutations");
+  CLI::App* list = app.add_subcommand(
+      "list", "list templates, methods, observers, cases, laws, checks, claims or mutations");
   list->add_option("what", options.subject, "what to list")->required();
   list->add_flag("--json", options.json, "as JSON");
   CLI::App* law = app.add_subcommand("law", "evaluate an analytic result");
@@ -77,8 +85,9 @@ void add_looking(CLI::App& app, Options& options) {
 
 const std::map<std::string, Command>& commands() {
   static const std::map<std::string, Command> all = {
-      {"run", run},           {"resume", resume_run}, {"plan", show_plan},   {"check", check},
-      {"validate", validate}, {"list", list},         {"law", evaluate_law}, {"export", export_files},
+      {"new", new_scene},  {"run", run},          {"resume", resume_run},
+      {"plan", show_plan}, {"check", check},      {"validate", validate},
+      {"list", list},      {"law", evaluate_law}, {"export", export_files},
   };
   return all;
 }
@@ -97,6 +106,7 @@ int main_of(int argc, char** argv) {
   CLI::App app("Sandglass: granular flow, simulated and judged against what is known exactly", "sandglass");
   app.set_version_flag("--version", SANDGLASS_VERSION);
   app.require_subcommand(1);
+  add_new(app, options);
   add_run(app, options);
   add_judging(app, options);
   add_looking(app, options);

@@ -53,6 +53,15 @@ def scene(tmp_path):
     return path
 
 
+def test_a_new_scene_can_be_planned_and_is_not_replaced(tmp_path):
+    for entry in json.loads(run("list", "templates", "--json").stdout):
+        assert run("new", entry["name"], folder=tmp_path).returncode == 0
+        assert run("plan", entry["name"] + ".toml", folder=tmp_path).returncode == 0
+    again = run("new", "pipe", folder=tmp_path)
+    assert again.returncode == 2 and "--overwrite" in again.stderr
+    assert "did you mean 'pipe'?" in run("new", "pip", folder=tmp_path).stderr
+
+
 def test_settings_lie_over_the_scene_and_reach_the_record(scene, tmp_path):
     settings = ("--set", "species.restitution=0.5", "--set", "run.duration.steps=10")
     assert "10 steps" in run("plan", scene, *settings).stdout
@@ -69,7 +78,7 @@ def test_a_setting_that_is_wrong_is_named(scene):
     assert "--set species.restituton=0.5" in done.stderr and "did you mean 'restitution'?" in done.stderr
 
 
-@pytest.mark.parametrize("what", ["methods", "observers", "cases", "laws", "checks", "claims", "mutations"])
+@pytest.mark.parametrize("what", ["methods", "observers", "cases", "laws", "checks", "claims", "mutations", "templates"])
 def test_every_list_has_names_and_summaries(what):
     entries = json.loads(run("list", what, "--json").stdout)
     assert len(entries) > 3
