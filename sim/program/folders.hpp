@@ -8,6 +8,7 @@ namespace sandglass::program {
 /// Throws InputError when it is not there.
 std::string home();
 inline std::string case_folder() { return home() + "/validation/case"; }
+inline std::string scene_page() { return home() + "/docs/scene.md"; }
 inline std::string claims_file() { return home() + "/reference/claims.toml"; }
 
 }  // namespace sandglass::program

@@ -31,6 +31,11 @@ void add_new(CLI::App& app, Options& options) {
   fresh->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
 }
 
+void add_help(CLI::App& app, Options& options) {
+  app.add_subcommand("help", "what a scene may say")
+      ->add_option("word", options.subject, "a section, a key, or section.key (default: all, in brief)");
+}
+
 void add_run(CLI::App& app, Options& options) {
   CLI::App* run = app.add_subcommand("run", "run a scene and write its record");
   run->add_option("scene", options.subject, "scene file (TOML)")->required();
@@ -85,9 +90,9 @@ void add_looking(CLI::App& app, Options& options) {
 
 const std::map<std::string, Command>& commands() {
   static const std::map<std::string, Command> all = {
-      {"new", new_scene},  {"run", run},          {"resume", resume_run},
-      {"plan", show_plan}, {"check", check},      {"validate", validate},
-      {"list", list},      {"law", evaluate_law}, {"export", export_files},
+      {"help", help},        {"new", new_scene},       {"run", run},           {"resume", resume_run},
+      {"plan", show_plan},   {"check", check},         {"validate", validate}, {"list", list},
+      {"law", evaluate_law}, {"export", export_files},
   };
   return all;
 }
@@ -106,6 +111,7 @@ int main_of(int argc, char** argv) {
   CLI::App app("Sandglass: granular flow, simulated and judged against what is known exactly", "sandglass");
   app.set_version_flag("--version", SANDGLASS_VERSION);
   app.require_subcommand(1);
+  add_help(app, options);
   add_new(app, options);
   add_run(app, options);
   add_judging(app, options);

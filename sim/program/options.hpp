@@ -26,6 +26,7 @@ struct Options {
 enum Exit : int { all_well = 0, verdict_fails = 1, bad_input = 2, run_broke = 3 };
 
 int list(const Options& options);
+int help(const Options& options);
 int new_scene(const Options& options);
 int evaluate_law(const Options& options);
 int show_plan(const Options& options);

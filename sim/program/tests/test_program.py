@@ -53,6 +53,15 @@ def scene(tmp_path):
     return path
 
 
+def test_help_says_what_a_key_means():
+    key = run("help", "wall.amplitude").stdout
+    assert key.startswith("wall.amplitude\n") and "length" in key and "allowed" in key
+    assert "species.restitution" in run("help", "restitution").stdout
+    assert "species" in run("help").stdout
+    wrong = run("help", "restituton")
+    assert wrong.returncode == 2 and "did you mean 'restitution'?" in wrong.stderr
+
+
 def test_a_new_scene_can_be_planned_and_is_not_replaced(tmp_path):
     for entry in json.loads(run("list", "templates", "--json").stdout):
         assert run("new", entry["name"], folder=tmp_path).returncode == 0
