@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/base/statistics.hpp"
+#include "sim/run/test_run_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,18 +44,6 @@ every = { steps = 1 }
 ids = true
 trajectory = { steps = 100 }
 )";
-
-std::string edited(std::string text, const std::string& find, const std::string& replace) {
-  const std::size_t at = text.find(find);
-  EXPECT_NE(at, std::string::npos) << find;
-  return text.replace(at, find.size(), replace);
-}
-
-Record run_text(const std::string& text, const std::string& fault = "") {
-  RunOptions options;
-  options.planted_fault = fault;
-  return run_scene(read_scene_text(text, "scene.toml"), options);
-}
 
 double counted(const Record& record, const std::string& name) { return record.replicas[0].counters.at(name); }
 

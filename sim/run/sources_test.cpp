@@ -1,6 +1,7 @@
 #include "sim/run/sources.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/run/test_run_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,18 +40,6 @@ gravity = [0.0, -1.0]
 ids = true
 trajectory = { steps = 1 }
 )";
-
-std::string edited(std::string text, const std::string& find, const std::string& replace) {
-  const std::size_t at = text.find(find);
-  EXPECT_NE(at, std::string::npos) << find;
-  return text.replace(at, find.size(), replace);
-}
-
-Record run_text(const std::string& text, const std::string& fault = "") {
-  RunOptions options;
-  options.planted_fault = fault;
-  return run_scene(read_scene_text(text, "scene.toml"), options);
-}
 
 /// Coordinate of the particle with this id; not a number where it is not in the frame.
 double coordinate(const Frame& frame, std::uint64_t id, std::size_t axis) {
