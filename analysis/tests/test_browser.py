@@ -4,7 +4,7 @@ import pytest
 
 from analysis.tests.browser import Browser, available
 
-pytestmark = pytest.mark.skipif(not available(), reason="chromium and chromedriver are not installed")
+pytestmark = pytest.mark.skipif(not available(), reason="chromium is not installed")
 
 MISSING = "return [...document.images].filter(i => i.complete && !i.naturalWidth).map(i => i.src)"
 LOADING = "return [...document.images].some(i => !i.complete)"
@@ -14,7 +14,7 @@ LISTS = "return [...document.querySelectorAll('section.opened')].filter(s => s.o
 FOCUS = "return document.activeElement.id"
 COVERED = ("const seen = document.querySelector('section.opened:target').getBoundingClientRect();"
            "return seen.top < 0 || seen.top > innerHeight")
-TAB, ENTER = "\ue004", "\ue007"
+TAB, ENTER = "Tab", "Enter"
 ANCHORS = "return [...document.querySelectorAll('[id]')].map(e => e.id)"
 
 
