@@ -142,7 +142,8 @@ class Browser:
 
     def evaluate(self, script):
         """What the body of a function returns."""
-        answer = self._call("Runtime.evaluate", expression=f"(() => {{{script}}})()", returnByValue=True)
+        answer = self._call("Runtime.evaluate", expression=f"(() => {{{script}}})()", returnByValue=True,
+                            awaitPromise=True)
         if "exceptionDetails" in answer:
             raise RuntimeError(answer["exceptionDetails"]["exception"].get("description", script))
         return answer["result"].get("value")
