@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from matplotlib.patches import Rectangle
 from matplotlib.ticker import NullFormatter
 
 from analysis.plotting import INK, axis_label, literal, method_look, pyplot, save, wrapped
@@ -12,6 +13,7 @@ from analysis.words import labelled, units
 SIZE = (6.2, 4.3)       # inches: two beside each other on a laptop
 EDGE = 1.6              # a deviation beyond this many budgets stands at the edge
 FAR = 6                 # and a residual beyond this many standard errors
+SMALLEST = 1e-12        # what a logarithmic axis shows of values
 MOST = 28               # markers of one set of data
 CROWDED = 60            # letters of all labels: beyond, they stand upright
 RATIO = [1.75, 1]
@@ -45,17 +47,46 @@ def signed_share(item):
 
 
 def _theory(panel, group):
-    """The expectation at each point, above the markers; a bound points to the side that is right."""
+    """The expectation at each point, above the markers; a bound points to the side that is right, a range is a box."""
     arrows = {"at-least": "^", "at-most": "v"}
-    drawn = set()
-    for item in group.verdicts:
-        for level, arrow in ((item.expected, arrows.get(item.kind)), (item.upper, None)):
-            x = group.points.index(item.point)
-            if _known(level) and (x, level) not in drawn:
-                drawn.add((x, level))
-                panel.plot([x - 0.4, x + 0.4], [level, level], color=INK, linewidth=1.4, zorder=6)
-                if arrow:
-                    panel.plot([x + 0.4], [level], arrow, color=INK, markersize=4, zorder=6)
+    levels = {(group.points.index(item.point), item.expected): arrows.get(item.kind) for item in group.verdicts
+              if _known(item.expected) and item.kind != "between"}
+    if levels:
+        x, level = np.array(list(levels), float).T
+        panel.hlines(level, x - 0.4, x + 0.4, color=INK, linewidth=1.4, zorder=6)
+    for arrow in arrows.values():
+        chosen = [place for place, kind in levels.items() if kind == arrow]
+        if chosen:
+            x, level = np.array(chosen, float).T
+            panel.plot(x + 0.4, level, arrow, color=INK, markersize=4, zorder=6)
+    for place in {(group.points.index(item.point), item.expected, item.upper) for item in group.verdicts
+                  if item.kind == "between" and _known(item.expected) and _known(item.upper)}:
+        x, low, high = place
+        panel.add_patch(Rectangle((x - 0.4, low), 0.8, high - low, facecolor=GREY, edgecolor=INK, alpha=0.25))
+
+
+def _levels(item):
+    """What the axis must show of a verdict: its value, and the bound that is nearest to it."""
+    bounds = [bound for bound in (item.expected, item.upper) if _known(bound)]
+    if not _known(item.value):
+        return bounds[:1]
+    error = item.stderr or 0.0
+    nearest = min(bounds, key=lambda bound: abs(bound - item.value), default=item.value)
+    return [item.value - error, item.value + error, nearest]
+
+
+def _scale(panel, group):
+    """Limits of the axis from the values; bounds far away do not stretch it."""
+    levels = [level for item in group.verdicts for level in _levels(item)]
+    if not levels:
+        return
+    low, high = min(levels), max(levels)
+    if _spread(levels):
+        panel.set_yscale("log")
+        panel.set_ylim(low / 1.6, high * 1.6)
+    else:
+        room = 0.08 * (high - low) or 0.1 * abs(high) or 1.0
+        panel.set_ylim(low - room, high + room)
 
 
 def _marks(panel, group, places):
@@ -75,14 +106,15 @@ def _band(panel, limit, text):
 def _deviations(panel, group, places):
     _band(panel, *BANDS[BUDGET])
     panel.axhline(0, color=INK, linewidth=1.2, zorder=1)
-    for item in group.verdicts:
-        share = signed_share(item)
-        if share is not None:
-            look = method_look(item.variant, group.variants)
-            beyond = abs(share) > EDGE
-            panel.plot([places[item.variant, item.point]], [np.clip(share, -EDGE, EDGE)],
-                       {True: "^" if share > 0 else "v", False: look["marker"]}[beyond], color=look["color"],
-                       markerfacecolor=look["color"] if beyond else "white", zorder=3)
+    for variant in group.variants:
+        look = method_look(variant, group.variants)
+        known = [(places[variant, item.point], signed_share(item)) for item in group.verdicts
+                 if item.variant == variant and signed_share(item) is not None]
+        x, share = np.array(known, float).reshape(-1, 2).T
+        for chosen, marker, face in ((abs(share) <= EDGE, look["marker"], "white"), (share > EDGE, "^", look["color"]),
+                                     (share < -EDGE, "v", look["color"])):
+            panel.plot(x[chosen], np.clip(share[chosen], -EDGE, EDGE), marker, color=look["color"], linestyle="none",
+                       markerfacecolor=face, zorder=3)
     panel.set_ylim(-1.15 * EDGE, 1.15 * EDGE)
     panel.set_yticks([-1, 0, 1])
     panel.set_ylabel("deviation\n/ budget")
@@ -100,36 +132,44 @@ def _labels(panel, points):
     panel.set_xlim(-0.6, len(points) - 0.4)
 
 
-def _frame(lower_labels, taller=0.0):
-    """`lower_labels`: inches below for upright labels; `taller`: inches more for the panels."""
+def _frame(names, lower_labels=0.0, taller=0.0):
+    """`names`: in the legend; `lower_labels`: inches below for upright labels; `taller`: inches more for the panels."""
     picture = pyplot.figure(figsize=(SIZE[0], SIZE[1] + lower_labels + taller))
     bottom = (0.46 + lower_labels) / picture.get_figheight()
-    grid = picture.add_gridspec(2, 1, height_ratios=RATIO, hspace=0.09, left=0.135, right=0.985, bottom=bottom,
-                                top=1 - 0.46 / picture.get_figheight())
+    grid = picture.add_gridspec(2, 1, height_ratios=RATIO, hspace=0.09, left=0.158, right=0.985, bottom=bottom,
+                                top=1 - _legend_room(names) / picture.get_figheight())
     upper = picture.add_subplot(grid[0])
     lower = picture.add_subplot(grid[1], sharex=upper)
     upper.tick_params(labelbottom=False)
     return picture, upper, lower
 
 
+def _columns(names):
+    """Of a legend as wide as the picture."""
+    return max(1, min(5, 96 // (max(map(len, names), default=1) + 6), len(names)))
+
+
+def _legend_room(names):
+    """Inches above the panels."""
+    return 0.14 + 0.165 * math.ceil(len(names) / _columns(names))
+
+
 def _legend(picture, panel):
     handles, names = panel.get_legend_handles_labels()
     unique = dict(zip(names, handles))
     if unique:
-        picture.legend(unique.values(), unique.keys(), loc="upper left", bbox_to_anchor=(0.1, 1.0), fontsize=8.5,
-                       ncol=min(5, len(unique)), handletextpad=0.2, columnspacing=1.0, borderaxespad=0.3)
+        picture.legend(unique.values(), unique.keys(), loc="upper left", bbox_to_anchor=(0.12, 1.0), fontsize=8.5,
+                       ncol=_columns(unique), handletextpad=0.2, columnspacing=1.0, borderaxespad=0.3)
 
 
 def draw_verdicts(group, stem):
     """Value of every point and method with the expectation; below it the deviation in budgets, the budget as a band."""
-    picture, upper, lower = _frame(room(group.points))
+    picture, upper, lower = _frame(["expected"] + group.variants, room(group.points))
     places = _places(group)
     upper.plot([], [], color=INK, linewidth=1.4, label="expected")
     _marks(upper, group, places)
     _theory(upper, group)
-    levels = [item.value for item in group.verdicts] + [item.expected for item in group.verdicts]
-    if _spread([level for level in levels if _known(level)]):
-        upper.set_yscale("log")
+    _scale(upper, group)
     unit = group.evidence[0].verdict.units
     upper.set_ylabel(f"value [{units(unit)}]" if units(unit) else "value")
     upper.grid(axis="x", visible=False)
@@ -177,9 +217,9 @@ def _curve(panel, lower, item, figure, variants, first):
     return label
 
 
-def _wide(sets, logarithmic):
+def _wide(sets, logarithmic, lowest):
     """Whether these sets of numbers need a logarithmic axis: asked for, or of very different size."""
-    ends = [max(each) for each in sets if each and min(each) >= 0]
+    ends = [max(each) for each in sets if each and min(each) >= lowest]
     return logarithmic or (len(ends) == len(sets) and _spread(ends))
 
 
@@ -187,8 +227,8 @@ def _scales(panel, pairs):
     figure = pairs[0][1]
     sets = [points for _, each in pairs for points in each.points if len(points.x)]
     y = [[value for value in points.y if _known(value)] for points in sets]
-    panel.set_xscale("log" if _wide([points.x for points in sets], figure.x.logarithmic) else "linear")
-    panel.set_yscale("log" if _wide(y, figure.y.logarithmic) else "linear")
+    panel.set_xscale("log" if _wide([points.x for points in sets], figure.x.logarithmic, 0.0) else "linear")
+    panel.set_yscale("log" if _wide(y, figure.y.logarithmic, SMALLEST) else "linear")
 
 
 def has_residuals(pairs):
@@ -199,7 +239,7 @@ def draw_data(pairs, stem, taller=0.0):
     """Data of several runs in one picture; `pairs`: [(evidence, its figure)], alike in axes; `taller`: in inches."""
     figure = pairs[0][1]
     variants = list(dict.fromkeys(item.verdict.variant for item, _ in pairs))
-    picture, upper, lower = _frame(0.0, taller)
+    picture, upper, lower = _frame(["theory"] + variants, taller=taller)
     labels = []
     _scales(upper, pairs)
     for index, (item, each) in enumerate(pairs):

@@ -41,8 +41,8 @@ def shown_times(time):
     return [time[0]] + [late[np.argmin(np.abs(np.log(late / each)))] for each in wanted]
 
 
-def show_disks(panel, position):
-    size = np.ones(len(position))
+def show_disks(panel, position, diameter=1.0):
+    size = np.broadcast_to(diameter, len(position))
     panel.add_collection(EllipseCollection(size, size, 0 * size, units="xy", offsets=position,
                                            transOffset=panel.transData, facecolor=DISK,
                                            linewidth=0, rasterized=True))

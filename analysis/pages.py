@@ -54,12 +54,17 @@ def _write(path, template, **values):
     path.write_text(template.render(**values), encoding="utf-8")
 
 
-def write_pages(report, folder, pictures):
-    """Writes index, case, flow, precision and mutant pages; `pictures` says which files exist (see build.py)."""
-    templates = environment(report, folder)
-    _write(folder / "index.html", templates.get_template("index.html.j2"), root="", pictures=pictures,
+def write_front_page(report, folder, pictures):
+    """Writes index.html; `pictures` says which files exist (see build.py)."""
+    _write(folder / "index.html", environment(report, folder).get_template("index.html.j2"), root="", pictures=pictures,
            grid=grid(report), cases={case.name: case for case in report.cases},
            ledger_line=claims.sentence(report))
+
+
+def write_pages(report, folder, pictures):
+    """Writes index, case, flow, precision and mutant pages."""
+    write_front_page(report, folder, pictures)
+    templates = environment(report, folder)
     for case in report.cases:
         shown, identities = split(case)
         _write(folder / "case" / f"{words.slug(case.name)}.html", templates.get_template("case.html.j2"),
