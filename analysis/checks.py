@@ -1,10 +1,13 @@
 """The checks of a case as its page shows them: what holds to rounding in one line, a picture for each of the rest."""
 
+import os
+import re
 from dataclasses import dataclass
 
 from analysis.model import Evidence
 from analysis.words import GOOD, worst
 
+SHORTEST = 15     # letters of a sentence that says something
 ROUNDING = 1e-9   # what an exact identity may leave, in its own units
 
 
@@ -33,7 +36,13 @@ class CheckGroup:
 
     @property
     def summary(self):
-        return self.evidence[0].verdict.summary
+        """What the runs say alike: some add numbers of their own behind it."""
+        texts = [item.summary for item in self.verdicts]
+        shared = os.path.commonprefix(texts)
+        if shared in texts:
+            return shared
+        whole = re.split(r"[;(]", shared)[0].strip(" ,")
+        return whole if len(whole) >= SHORTEST else texts[0]
 
     @property
     def is_identity(self):

@@ -51,6 +51,13 @@ def local_order(sweep):
     return math.log(first.error / second.error) / span, noise / abs(span)
 
 
+def cheaper_when_finer(sweep):
+    """Whether of any two settings the more accurate one takes less time."""
+    known = sorted((point.error, point.cpu_seconds) for point in sweep.points
+                   if point.error is not None and point.cpu_seconds is not None)
+    return len(known) > 1 and all(one[1] < other[1] for one, other in zip(known, known[1:]))
+
+
 @dataclass(frozen=True)
 class OrderVerdict:
     symbol: str

@@ -6,6 +6,7 @@ from functools import partial
 import numpy as np
 
 from analysis.clustering_panels import MANY, load_frames, show_density, show_disks
+from analysis.comparison import can_show
 from analysis.plotting import INK, literal, method_look, pyplot, save
 from analysis.sweep_figures import draw_frontier
 from analysis.summary import quantities
@@ -58,10 +59,9 @@ def draw_cooling(runs, stem):
     save(picture, stem)
 
 
-def draw_cluster(runs, stem):
-    """The last frame of the exact method, or of the first that there is."""
-    name = min(runs, key=lambda each: not runs[each].exact)
-    run = runs[name]
+def draw_cluster(path, stem):
+    """The last frame of a record."""
+    run = load_frames(path)
     picture = pyplot.figure(figsize=SIZE, dpi=150)
     panel = picture.add_axes([0.08, 0.02, 0.84, 0.96])
     position = run.position[-1][np.isfinite(run.position[-1][:, 0])]
@@ -71,25 +71,13 @@ def draw_cluster(runs, stem):
     save(picture, stem)
 
 
-def _draw_cluster(paths, stem):
-    draw_cluster({variant: load_frames(path) for variant, path in paths.items()}, stem)
-
-
 def _frames(report, folder):
-    """{variant: record with frames} of the point of the clustering gas that has most methods."""
-    import h5py
-    best = {}
-    for case in report.cases:
-        for point in dict.fromkeys(run.point for run in case.runs) if case.name == CLUSTER else ():
-            kept = {run.variant: folder / run.record for run in case.runs
-                    if run.point == point and run.record and (folder / run.record).is_file()}
-            found = {}
-            for variant, path in kept.items():
-                with h5py.File(path, "r") as file:
-                    if "particles/all/position/value" in file:
-                        found[variant] = path
-            best = found if len(found) > len(best) else best
-    return best
+    """A kept record of the clustering gas with frames: of the exact method, which finds contacts, if there is one."""
+    kept = [folder / run.record for case in report.cases if case.name == CLUSTER for run in case.runs
+            if run.record and (folder / run.record).is_file()]
+    shown = [path for path in kept if can_show(path, ("particles/all/position/value",))]
+    exact = [path for path in shown if can_show(path, ("sandglass/series/impact-parameter",))]
+    return next(iter(exact + shown), None)
 
 
 def plan(report, folder, figures):
@@ -110,7 +98,7 @@ def plan(report, folder, figures):
     frames = _frames(report, folder)
     if frames:
         add("headline.cluster", "The clustering gas", "A uniform gas that loses energy in collisions does not stay uniform.",
-            f"case/{CLUSTER}.html", _draw_cluster, frames)
+            f"case/{CLUSTER}.html", draw_cluster, frames)
     sweeps = max(quantities(report.sweeps).values(), key=len, default=[])
     if sweeps:
         quantity = sweeps[0][1].quantity

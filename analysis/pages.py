@@ -74,5 +74,6 @@ def write_pages(report, folder, pictures):
            standings=STANDINGS, cases={case.name for case in report.cases})
     _write(folder / "precision.html", templates.get_template("precision.html.j2"), root="", pictures=pictures,
            cases={case.name for case in report.cases}, quantities=summary.quantities, targets=frontier.TARGETS, cheapest=frontier.cheapest, bound=frontier.bound,
-           best_bound=frontier.best_bound, judge_order=frontier.judge_order)
+           best_bound=frontier.best_bound, judge_order=frontier.judge_order,
+           cheaper_when_finer=frontier.cheaper_when_finer)
     _write(folder / "mutants.html", templates.get_template("mutants.html.j2"), root="", pictures=pictures)

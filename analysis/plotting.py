@@ -35,10 +35,14 @@ METHODS = ["event-driven", "dsmc", "hsmc", "cba", "dsmc-enskog", "esmc", "cba-co
 
 
 def method_look(variant, others=()):
-    """{colour, marker} of a method; one that is not listed takes its place among `others`."""
-    order = METHODS + [name for name in others if name not in METHODS]
-    index = order.index(variant) if variant in order else len(order)
-    return {"color": COLOURS[index % len(COLOURS)], "marker": MARKERS[index % len(MARKERS)]}
+    """{colour, marker} of a method; one that is not listed takes what the listed ones of a picture leave free."""
+    if variant in METHODS:
+        index = METHODS.index(variant)
+        return {"color": COLOURS[index % len(COLOURS)], "marker": MARKERS[index % len(MARKERS)]}
+    taken = {COLOURS[METHODS.index(name) % len(COLOURS)] for name in others if name in METHODS}
+    free = [colour for colour in COLOURS if colour not in taken] or COLOURS
+    index = [name for name in others if name not in METHODS].index(variant) if variant in others else 0
+    return {"color": free[index % len(free)], "marker": MARKERS[-1 - index % len(MARKERS)]}
 
 
 def literal(text):
