@@ -1,4 +1,4 @@
-"""python3 -m analysis report|table FOLDER, source-figures SOURCE FOLDER, impact RECORD"""
+"""python3 -m analysis report|table FOLDER, source-figures SOURCE FOLDER, plot|impact RECORD"""
 
 import argparse
 import sys
@@ -20,6 +20,10 @@ def _arguments():
     source = commands.add_parser("source-figures", help="draw the figures of a source, ours beside its words")
     source.add_argument("source", help="MUL: Müller 2001, GRE: Greenspan 1972, KAW: Kawasaki 1986")
     source.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
+    plot = commands.add_parser("plot", help="draw each series, histogram and field of a record, with error bars")
+    plot.add_argument("record", type=Path, help="that 'sandglass run' wrote")
+    plot.add_argument("--output", "-o", type=Path, help=".svg, .png or .pdf (default: NAME.svg here, for NAME.h5)")
+    plot.add_argument("--overwrite", action="store_true", help="replace a picture of that name")
     impact = commands.add_parser("impact", help="print c(tau) of an event-driven record as lines of a scene")
     impact.add_argument("record", type=Path, help="with the observer 'impact-parameter'")
     impact.add_argument("--window", type=float, default=10.0, help="collisions per particle in each fit")
@@ -33,6 +37,11 @@ def main():
         if arguments.command == "impact":
             from analysis.impact import print_coefficient
             print_coefficient(arguments.record, arguments.window)
+            return 0
+        if arguments.command == "plot":
+            from analysis.record_figure import draw_record
+            output = arguments.output or Path(arguments.record.stem + ".svg")
+            print(f"{draw_record(arguments.record, output, arguments.overwrite)} panels: {output}")
             return 0
         if arguments.command == "source-figures":
             from analysis.source.build import source_figures
@@ -56,5 +65,10 @@ def main():
     return 0
 
 
-if __name__ == "__main__":
+def run():
+    """The command 'sandglass-analysis' of an installed package."""
     sys.exit(main())
+
+
+if __name__ == "__main__":
+    run()

@@ -10,6 +10,7 @@ from analysis.plotting import headed, pyplot, save
 MANY = 30000   # from here on a disk is smaller than a pixel, and the picture shows the area fraction
 CELL = 4.0     # then: edge of a cell, in diameters
 COLUMNS = 4
+DISK = "#3f7fb8"   # of disks, on light and on dark paper
 
 
 @dataclass(frozen=True)
@@ -40,10 +41,10 @@ def shown_times(time):
     return [time[0]] + [late[np.argmin(np.abs(np.log(late / each)))] for each in wanted]
 
 
-def show_disks(panel, position):
-    size = np.ones(len(position))
+def show_disks(panel, position, diameter=1.0):
+    size = np.broadcast_to(diameter, len(position))
     panel.add_collection(EllipseCollection(size, size, 0 * size, units="xy", offsets=position,
-                                           transOffset=panel.transData, facecolor="#1b3a57",
+                                           transOffset=panel.transData, facecolor=DISK,
                                            linewidth=0, rasterized=True))
 
 

@@ -30,7 +30,8 @@ def _draw(picture, paths, stem):
     picture.draw({variant: picture.load(path) for variant, path in paths.items()}, stem)
 
 
-def _can_show(path, needs):
+def can_show(path, needs):
+    """Whether a record holds all of these places. Throws InputError."""
     import h5py
     try:
         with h5py.File(path, "r") as file:
@@ -49,7 +50,7 @@ def plan(case, folder, figures):
         kept = {run.variant: folder / run.record for run in case.runs
                 if run.point == point and run.record and (folder / run.record).is_file()}
         for picture in PICTURES.get(case.name, []) if len(kept) > 1 else []:
-            paths = {variant: path for variant, path in kept.items() if _can_show(path, picture.needs)}
+            paths = {variant: path for variant, path in kept.items() if can_show(path, picture.needs)}
             if len(paths) >= picture.runs:
                 name = slug("compare", case.name, point, picture.name)
                 comparisons.append(Comparison(name, picture.caption, point, picture.wide))

@@ -3,7 +3,7 @@
 from matplotlib import mathtext
 from matplotlib.font_manager import FontProperties
 
-from analysis import plotting  # noqa: F401  (chooses the backend)
+from analysis.plotting import INK, follow_scheme
 
 FONT = FontProperties(size=13, math_fontfamily="cm")
 
@@ -12,7 +12,9 @@ def draw_equation(tex, path):
     """Saves `tex` as SVG; returns whether it could be read."""
     path.parent.mkdir(parents=True, exist_ok=True)
     try:
-        mathtext.math_to_image(f"${tex}$", path, prop=FONT, format="svg", dpi=72)
+        mathtext.math_to_image(f"${tex}$", path, prop=FONT, format="svg", dpi=72, color=INK)
+        svg = path.read_text(encoding="utf-8").replace("fill: #ffffff", "fill: none")
+        path.write_text(follow_scheme(svg), encoding="utf-8")
     except (ValueError, RuntimeError):
         path.unlink(missing_ok=True)
         return False

@@ -41,6 +41,12 @@ class Fold:
         return [item for item in self.verdicts if item.verdict not in GOOD]
 
     @property
+    def cpu_seconds(self):
+        """Of its runs; None when it is not known of any."""
+        known = {item.point: item.cpu_seconds for item in self.verdicts if item.cpu_seconds is not None}
+        return sum(known.values()) if known else None
+
+    @property
     def points(self):
         """{point: its verdicts}, in the order of the case."""
         found = {}
@@ -63,7 +69,7 @@ class Fold:
         for name in VERDICTS:
             if name != "pass" and self.count(name):
                 parts.append(f"{VERDICTS[name].word}: {self.count(name)}")
-        deviation = f"{self.worst.check} at {self.worst.point}, {ratio(self.worst.share)} × budget"
+        deviation = f"{self.worst.check} at {self.worst.point}, {ratio(self.worst.share)} of its error budget"
         return f"{'; '.join(parts)}; largest deviation: {deviation}"
 
 

@@ -96,7 +96,9 @@ def _sweep(node):
 def _claims(path):
     if path is None or not path.is_file():
         return []
-    return [_plain(model.Claim, item, status=item.one_of("status", CLAIM_STATES))
+    return [_plain(model.Claim, item, status=item.one_of("status", CLAIM_STATES),
+                   evidence=tuple(case.expect(str) for case in item["evidence"]) if item.has("evidence") else (),
+                   note=item.text("note") if item.has("note") else "")
             for item in read_toml(path)["claim"]]
 
 

@@ -205,6 +205,8 @@ class Claim:
     text: str
     source: str
     status: str
+    evidence: tuple[str, ...] = ()   # cases that decide it, or will
+    note: str = ""                   # what was seen
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from analysis.model import Claim, Verdict
+from analysis.model import Verdict
 from analysis.words import GOOD, VERDICTS, worst
 
 
@@ -49,14 +49,6 @@ def rows(verdicts, row_key):
             for row, cells in collected.items()}
 
 
-def by_point(case):
-    """{point: {check: evidence of all variants}}, in the order of the case."""
-    points = {}
-    for item in case.evidence:
-        points.setdefault(item.verdict.point, {}).setdefault(item.verdict.check, []).append(item)
-    return points
-
-
 def faults(mutants):
     """{mutation: caught by at least one check}."""
     caught = {}
@@ -86,30 +78,6 @@ def headline(report):
     if caught:
         parts.append(f"{sum(caught.values())} of {_many(len(caught), 'planted fault')} caught")
     return "; ".join(parts)
-
-
-@dataclass(frozen=True)
-class ClaimEvidence:
-    """A claim of the ledger (None when the ledger lacks it) beside the verdicts of this report."""
-
-    name: str
-    claim: Claim | None
-    verdicts: list[Verdict]
-
-    @property
-    def holding(self):
-        return sum(item.verdict in GOOD for item in self.verdicts)
-
-
-def claims(report):
-    """Claims with verdicts first; claims that only verdicts name count as well."""
-    ledger = {claim.id: claim for claim in report.claims}
-    behind = {name: [] for name in ledger}
-    for item in report.verdicts:
-        for name in item.claims:
-            behind.setdefault(name, []).append(item)
-    found = [ClaimEvidence(name, ledger.get(name), verdicts) for name, verdicts in behind.items()]
-    return sorted(found, key=lambda item: not item.verdicts)
 
 
 def quantities(sweeps):

@@ -23,7 +23,7 @@ class Look:
 VERDICTS = {
     "pass": Look("✓", "pass", "#009e73", "the deviation lies inside the error budget"),
     "expected-fail": Look("◇", "known limit", "#0072b2",
-                          "the method is known to miss this, and does; counts as fine"),
+                          "its source says that the method misses this, and the run shows it; does not block"),
     "inconclusive": Look("?", "inconclusive", "#e69f00", "the error bar is too wide to tell; blocks"),
     "unexpected-pass": Look("!", "unexpected pass", "#cc79a7", "a known limit was not seen; blocks"),
     "fail": Look("✗", "fail", "#cc3311", "the deviation exceeds the error budget; blocks"),
@@ -65,19 +65,53 @@ def factor(ratio):
     return f"×{number(ratio, 2)}"
 
 
-def expectation(item):
-    """What a check expects of its value: '1.001', '≤ 0.3' where only one side is wrong, or '0.5 to 2'."""
-    return EXPECTATIONS[item.kind].format(number(item.expected, 6), number(item.upper, 6))
+def _shared(value, error):
+    """(power of ten taken out, decimals) that show `value` to the second digit of `error`."""
+    size = math.floor(math.log10(max(abs(value), error)))
+    places = 1 - math.floor(math.log10(error))
+    power = size if size >= 6 or size <= -4 or (size < 0 and places > 6) else 0
+    return power, max(0, places + power)
+
+
+def _fixed(value, power, places):
+    return f"{value / 10.0 ** power:.{places}f}".replace("-", "−")
+
+
+def _scaled(text, power):
+    return f"{text}×10{str(power).translate(SUPERSCRIPT)}" if power else text
+
+
+def _has_digits(value, error):
+    known = value is not None and error is not None and math.isfinite(value) and math.isfinite(error)
+    return known and error > 0
 
 
 def with_error(value, error):
-    """Value ± standard error, both to the second digit of the error."""
-    if value is None or error is None:
-        return number(value, 6)
-    if error <= 0 or not 1e-6 <= error <= 1e6 or abs(value) >= 1e7:
-        return f"{number(value, 6)} ± {number(error, 2)}"
-    places = max(0, 1 - math.floor(math.log10(error)))
-    return f"{value:.{places}f} ± {error:.{places}f}".replace("-", "−")
+    """Value ± standard error, both to the second digit of the error: '(1.4922 ± 0.0013)×10⁶'."""
+    if not _has_digits(value, error):
+        return number(value, 2 if value is not None and abs(value) < 1e-9 else 6)
+    power, places = _shared(value, error)
+    text = f"{_fixed(value, power, places)} ± {_fixed(error, power, places)}"
+    return _scaled(f"({text})", power) if power else text
+
+
+def expectation(item):
+    """What a check expects of its value, to the digits of that: '1.0010', '≤ 0.30' where only one side is wrong."""
+    def shown(bound):
+        if bound is None or not _has_digits(item.value, item.stderr):
+            return number(bound, 6)
+        power, places = _shared(item.value, item.stderr)
+        exact = number(bound, 6)
+        rounded = _scaled(_fixed(bound, power, places), power if bound else 0)
+        return exact if len(exact) < len(rounded) and power == 0 else rounded
+    return EXPECTATIONS[item.kind].format(shown(item.expected), shown(item.upper))
+
+
+def said(text):
+    """A sentence of the judge in the notation of the page: 5.5e-13 becomes 5.5×10⁻¹³, +- becomes ±."""
+    power = re.sub(r"(?<=\d)e([-+]?)0*(\d+)", lambda match: "×10" + (match[1].replace("+", "") + match[2]).translate(SUPERSCRIPT),
+                   text.replace("+-", "±"))
+    return re.sub(r"(?<![\w.])-(?=\d)", "−", power)
 
 
 def units(text):
@@ -100,6 +134,17 @@ def seconds(value):
         return f"{value:.3g} s"
     minutes, rest = divmod(round(value), 60)
     return f"{minutes} min {rest} s" if minutes < 60 else f"{minutes // 60} h {minutes % 60} min"
+
+
+def brief(value):
+    """Seconds for a narrow cell: '20 s', '0.6 s', '3 ms', '2 min'."""
+    if value is None:
+        return UNKNOWN
+    if value < 0.1:
+        return f"{1000 * value:.0f} ms" if value >= 0.001 else "<1 ms"
+    if value < 9.95:
+        return f"{value:.1f} s"
+    return f"{value:.0f} s" if value < 99.5 else f"{value / 60:.0f} min" if value < 5970 else f"{value / 3600:.0f} h"
 
 
 def size(value):

@@ -30,18 +30,30 @@ def _draw(name, figure, case, folder):
     return Drawn(figure, picture, "")
 
 
+def draw_sources(report, folder, pool):
+    """{source: [job that gives a Drawn]} of the sources whose cases the report holds, at work in the pool."""
+    cases = {case.name: case for case in report.cases}
+    listed = {name: catalogue(name).figures for name in DRAWINGS}
+    return {name: [pool.submit(_draw, name, figure, cases.get(figure.case), folder) for figure in figures]
+            for name, figures in listed.items() if any(figure.case in cases for figure in figures)}
+
+
 def source_figures(name, report, folder):
     """Returns (path of the page, figures). Throws InputError for an unknown source and for broken records."""
     listed = catalogue(name)
-    cases = {case.name: case for case in report.cases}
-    if not any(figure.case in cases for figure in listed.figures):
+    if not any(figure.case in {case.name for case in report.cases} for figure in listed.figures):
         raise InputError(folder, "", f"holds no case that draws a figure of {listed.source}",
                          "run 'sandglass validate' for one of " + ", ".join(sorted(
                              {figure.case for figure in listed.figures if figure.case})))
     with ProcessPoolExecutor(min(len(os.sched_getaffinity(0)), 8)) as pool:
-        jobs = [pool.submit(_draw, name, figure, cases.get(figure.case), folder) for figure in listed.figures]
-        drawn = [job.result() for job in jobs]
+        drawn = [job.result() for job in draw_sources(report, folder, pool)[name]]
+    return write_source(name, report, folder, drawn), drawn
+
+
+def write_source(name, report, folder, drawn):
+    """The page of a source; returns its path."""
+    listed, cases = catalogue(name), {case.name for case in report.cases}
     page = folder / f"source-{name}.html"
     template = environment(report, folder).get_template("source.html.j2")
-    page.write_text(template.render(root="", listed=listed, drawn=drawn, cases=set(cases)), encoding="utf-8")
-    return page, drawn
+    page.write_text(template.render(root="", listed=listed, drawn=drawn, cases=cases), encoding="utf-8")
+    return page

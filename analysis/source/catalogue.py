@@ -22,6 +22,7 @@ class SourceFigure:
     says: str
     case: str
     missing: str
+    claim: str    # of the ledger, that the figure shows; or empty
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,7 @@ class Catalogue:
 
 
 def _figure(node):
-    text = {name: node.text(name) if node.has(name) else "" for name in ("says", "case", "missing")}
+    text = {name: node.text(name) if node.has(name) else "" for name in ("says", "case", "missing", "claim")}
     if bool(text["case"]) == bool(text["missing"]):
         node.fail("needs either 'case' or 'missing'", "say which case draws it, or why none does")
     return SourceFigure(node.text("number"), node.text("shows"), **text)

@@ -1,27 +1,32 @@
-"""A headless Chromium over the WebDriver protocol, with the standard library alone."""
+"""A headless Chromium over the DevTools protocol on a pair of pipes, with the standard library alone."""
 
 import base64
+import fcntl
+import itertools
 import json
+import os
+import select
 import shutil
-import socket
 import subprocess
 import tempfile
 import time
-import urllib.request
 
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
          "--disable-background-networking", "--disable-component-update", "--disable-sync",
-         "--hide-scrollbars"]
+         "--hide-scrollbars", "--remote-debugging-pipe"]
+PATIENCE = 60   # seconds
+KEYS = {"Tab": 9, "Enter": 13}
 
 
 def available():
-    return bool(shutil.which("chromedriver") and shutil.which("chromium"))
+    return bool(shutil.which("chromium"))
 
 
-def _free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+def _place(read, write):
+    """The browser reads commands from 3 and answers on 4."""
+    high = fcntl.fcntl(read, fcntl.F_DUPFD, 10), fcntl.fcntl(write, fcntl.F_DUPFD, 10)
+    os.dup2(high[0], 3)
+    os.dup2(high[1], 4)
 
 
 class Browser:
@@ -29,86 +34,130 @@ class Browser:
 
     def __enter__(self):
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        port = _free_port()
-        self.address = f"http://127.0.0.1:{port}"
-        self.driver = subprocess.Popen(["chromedriver", f"--port={port}"], stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.DEVNULL)
+        read, self.write = os.pipe()
+        self.read, write = os.pipe()
+        command = [shutil.which("chromium"), *FLAGS, f"--user-data-dir={self.profile.name}", "about:blank"]
+        self.process = subprocess.Popen(command, pass_fds=(3, 4), preexec_fn=lambda: _place(read, write),
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(read)
+        os.close(write)
+        self.number, self.buffer, self.events, self.said = itertools.count(1), b"", [], []
         try:
-            self._wait()
-            self.session = self._start()
+            self._attach()
         except BaseException:
-            self._stop_driver()
+            self.__exit__()
             raise
         return self
 
     def __exit__(self, *_):
+        self.process.terminate()
         try:
-            self._call("DELETE", f"/session/{self.session}")
+            self.process.wait(10)
         finally:
-            self._stop_driver()
+            os.close(self.read)
+            os.close(self.write)
+            self.profile.cleanup()
 
-    def _stop_driver(self):
-        self.driver.terminate()
-        self.driver.wait(10)
-        self.profile.cleanup()
+    def _attach(self):
+        self.session = None
+        target = self._call("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self._call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log"):
+            self._call(f"{domain}.enable")
 
-    def _wait(self):
-        for _ in range(100):
-            try:
-                return self._call("GET", "/status")
-            except OSError:
-                time.sleep(0.1)
-        raise TimeoutError("chromedriver does not answer")
+    def _message(self):
+        """The next message of the browser."""
+        end = time.monotonic() + PATIENCE
+        while b"\0" not in self.buffer:
+            if not select.select([self.read], [], [], max(0, end - time.monotonic()))[0]:
+                raise TimeoutError("chromium does not answer")
+            part = os.read(self.read, 1 << 16)
+            if not part:
+                raise ConnectionError("chromium has ended")
+            self.buffer += part
+        text, _, self.buffer = self.buffer.partition(b"\0")
+        return json.loads(text)
 
-    def _start(self):
-        flags = FLAGS + [f"--user-data-dir={self.profile.name}"]
-        options = {"args": flags, "binary": shutil.which("chromium")}
-        wanted = {"goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}
-        return self._call("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})["sessionId"]
+    def _take(self, event):
+        kind, found = event.get("method"), event.get("params", {})
+        if kind == "Runtime.exceptionThrown":
+            self.said.append(found["exceptionDetails"].get("text", "") + " "
+                             + found["exceptionDetails"].get("exception", {}).get("description", ""))
+        elif kind == "Runtime.consoleAPICalled" and found["type"] in ("error", "warning", "assert"):
+            self.said.append(" ".join(str(item.get("value", "")) for item in found["args"]))
+        elif kind == "Log.entryAdded" and found["entry"]["level"] in ("error", "warning"):
+            self.said.append(found["entry"]["text"])
+        else:
+            self.events.append(kind)
 
-    def _call(self, method, path, body=None):
-        data = None if body is None else json.dumps(body).encode()
-        direct = urllib.request.build_opener(urllib.request.ProxyHandler({}))
-        request = urllib.request.Request(self.address + path, data, {"Content-Type": "application/json"},
-                                         method=method)
-        with direct.open(request, timeout=60) as answer:
-            return json.load(answer)["value"]
-
-    def _session(self, path, body):
-        return self._call("POST", f"/session/{self.session}{path}", body)
-
-    def _devtools(self, command, **parameters):
-        return self._session("/goog/cdp/execute", {"cmd": command, "params": parameters})
+    def _call(self, command, **parameters):
+        number = next(self.number)
+        message = {"id": number, "method": command, "params": parameters}
+        if self.session:
+            message["sessionId"] = self.session
+        os.write(self.write, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self._message()
+            if answer.get("id") == number:
+                if "error" in answer:
+                    raise RuntimeError(f"{command}: {answer['error']['message']}")
+                return answer["result"]
+            self._take(answer)
 
     def resize(self, width, height):
-        self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
-                       mobile=width < 600)
+        self._call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                   mobile=width < 600)
 
     def colours(self, scheme):
         """`scheme`: "light" or "dark"."""
-        self._devtools("Emulation.setEmulatedMedia",
-                       features=[{"name": "prefers-color-scheme", "value": scheme}])
+        self._call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
 
     def open(self, path):
-        self._session("/url", {"url": path.resolve().as_uri()})
+        """Returns once the page and all that it shows at once is there."""
+        self.events.clear()
+        self._call("Page.navigate", url=path.resolve().as_uri())
+        end = time.monotonic() + PATIENCE
+        while "Page.loadEventFired" not in self.events:
+            if time.monotonic() > end:
+                raise TimeoutError(f"{path} does not load")
+            self._take(self._message())
 
     def click(self, selector):
-        """A click of the mouse, refused where something else covers the element."""
-        found = self._session("/element", {"using": "css selector", "value": selector})
-        self._session(f"/element/{next(iter(found.values()))}/click", {})
+        """A click of the mouse in the middle of the element, refused where something else covers it."""
+        spot = self.evaluate(f"const e = document.querySelector({json.dumps(selector)});"
+                             "e.scrollIntoView({block: 'center'}); const b = e.getBoundingClientRect();"
+                             "const x = b.x + b.width / 2, y = b.y + b.height / 2;"
+                             "const top = document.elementFromPoint(x, y);"
+                             "return {x, y, free: e.contains(top) || top.contains(e)}")
+        if not spot["free"]:
+            raise RuntimeError(f"{selector} is covered")
+        for kind in ("mousePressed", "mouseReleased"):
+            self._call("Input.dispatchMouseEvent", type=kind, x=spot["x"], y=spot["y"], button="left", clickCount=1)
 
     def press(self, key):
-        """`key`: one character, or a code of the WebDriver protocol for a key that writes none."""
-        strokes = [{"type": "keyDown", "value": key}, {"type": "keyUp", "value": key}]
-        self._session("/actions", {"actions": [{"type": "key", "id": "keyboard", "actions": strokes}]})
+        """`key`: "Tab" or "Enter"."""
+        more = {"text": "\r"} if key == "Enter" else {}
+        for kind in ("keyDown", "keyUp"):
+            self._call("Input.dispatchKeyEvent", type=kind, key=key, code=key, windowsVirtualKeyCode=KEYS[key], **more)
 
     def evaluate(self, script):
-        return self._session("/execute/sync", {"script": script, "args": []})
+        """What the body of a function returns."""
+        answer = self._call("Runtime.evaluate", expression=f"(() => {{{script}}})()", returnByValue=True,
+                            awaitPromise=True)
+        if "exceptionDetails" in answer:
+            raise RuntimeError(answer["exceptionDetails"]["exception"].get("description", script))
+        return answer["result"].get("value")
 
     def complaints(self):
-        """What the console said since the last call."""
-        return [entry["message"] for entry in self._session("/se/log", {"type": "browser"})]
+        """What the console said since the last call, and errors of scripts."""
+        self.evaluate("return 0")   # takes in what waits in the pipe
+        found, self.said = self.said, []
+        return found
 
     def screenshot(self, path, whole=True):
-        shot = self._devtools("Page.captureScreenshot", captureBeyondViewport=whole)
+        clip = {}
+        if whole:
+            size = self._call("Page.getLayoutMetrics")["cssContentSize"]
+            clip = {"clip": {"x": 0, "y": 0, "width": size["width"], "height": min(size["height"], 15000), "scale": 1}}
+        shot = self._call("Page.captureScreenshot", captureBeyondViewport=whole, **clip)
         path.write_bytes(base64.b64decode(shot["data"]))

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+TOP = Path(__file__).parent.parent   # the room 'analysis'
 VARIANTS = ["dsmc", "dsmc-enskog", "cba", "cba-corrected", "cuba"]
 HOSTILE = '<script>alert("x")</script> & $\\frac{1}{0$ </style>'
 LONG = "3d-a-point-with-a-name-so-long-that-no-column-of-any-table-could-hold-it-without-breaking-the-line"
@@ -173,6 +174,28 @@ def documents():
                              mutant("acceptance-inverted", "collision-rate", True),
                              mutant("offset-dropped", "haff", False)]
     return files
+
+
+def wide():
+    """A case as large as the largest of the suite: 26 points, eight methods, four checks and an identity."""
+    methods = VARIANTS + ["hsmc", "esmc", "event-driven"]
+    rows = []
+    for index in range(26):
+        for column, method in enumerate(methods):
+            for number, check in enumerate(["haff-cooling", "cooling-per-collision", "sonine-coefficient", "compressibility"]):
+                value = 10.0 ** (index % 7) * (1 + 0.0006 * np.sin(3 * index + column + number))
+                expected = 10.0 ** (index % 7)
+                rows.append((verdict("large-case", method, f"hard-3d-nu-0.{index:02}-r-0.9", check, "pass", float(value),
+                                     0.001 * expected, expected), []))
+            rows.append((verdict("large-case", method, f"hard-3d-nu-0.{index:02}-r-0.9", "momentum-conservation", "pass",
+                                 1e-15, 0.0, 0.0), []))
+    return rows
+
+
+def many_methods():
+    """More methods than columns of their natural width have room for."""
+    return [(verdict("many-methods", f"a-method-of-a-long-name-{index}", "2d", f"check-{number}"), [])
+            for index in range(18) for number in range(12)]
 
 
 def write(folder, files):

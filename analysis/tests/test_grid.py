@@ -8,9 +8,10 @@ from dataclasses import replace
 import pytest
 
 from analysis import matrix_figure, words
-from analysis.build import build
+from analysis.build import Pictures, build
 from analysis.grid import grid
 from analysis.load import load_report
+from analysis.pages import write_front_page
 from analysis.summary import headline
 from analysis.tests import fixture
 
@@ -34,8 +35,7 @@ def fold(folder, *rows):
 
 
 def front_page(folder, *rows):
-    report = load_report(write(folder, *rows))
-    build(report, folder)
+    write_front_page(load_report(write(folder, *rows)), folder, Pictures())
     return (folder / "index.html").read_text(encoding="utf-8")
 
 
@@ -133,7 +133,8 @@ def test_every_cell_opens_its_list(built):
 
 
 def test_a_report_of_one_case_is_whole(tmp_path):
-    page = front_page(tmp_path, row("rate"))
+    build(load_report(write(tmp_path, row("rate"))), tmp_path)
+    page = (tmp_path / "index.html").read_text(encoding="utf-8")
     assert "1 of 1 check holds." in page
     assert page.count('<td class="fold pass c1">') == 1 and "✓ 1/1" in page
     assert (tmp_path / "figures" / "matrix.png").stat().st_size > 5000

@@ -8,7 +8,12 @@ from xml.etree import ElementTree
 
 import pytest
 
+from analysis.build import _plan
+from analysis.check_figures import draw_verdicts
+from analysis.checks import split
+from analysis.plotting import COLOURS, CONTRAST, DARK_PAPER, contrast, on_dark
 from analysis.tests import fixture
+from analysis.words import VERDICTS
 
 
 class Links(HTMLParser):
@@ -29,8 +34,9 @@ def pages(folder):
 
 
 def test_all_pages_are_written(built):
+    ledger = {f"ledger-{source}.html" for source in ("BAR", "GRE", "MUL")}
     assert {page.name for page in built[1].glob("*.html")} == {"index.html", "flows.html", "precision.html",
-                                                                "mutants.html"}
+                                                                "mutants.html"} | ledger
     assert len(list(built[1].glob("case/*.html"))) == len(built[0].cases)
 
 
@@ -42,9 +48,17 @@ def test_relative_links_lead_to_files(built):
                 assert (page.parent / path).is_file(), f"{page.name}: {target}"
 
 
-def test_nothing_is_loaded_from_elsewhere(built):
+def own_script(built):
+    """The one script of the pages, which stands in them word for word and takes nothing from a report."""
+    text = (fixture.TOP / "templates" / "report.js").read_text(encoding="utf-8").strip()
     for page in pages(built[1]):
-        for tag, attributes in Links(page.read_text(encoding="utf-8")).tags:
+        found = page.read_text(encoding="utf-8")
+        yield page, found.replace(f"<script>\n{text}\n\n</script>", "").replace(f"<script>\n{text}\n</script>", "")
+
+
+def test_nothing_is_loaded_from_elsewhere(built):
+    for page, text in own_script(built):
+        for tag, attributes in Links(text).tags:
             assert tag not in ("script", "iframe", "object", "b-", "x")
             assert not attributes.get("src", "").startswith(("http", "//", "data:"))
             assert not any(name.startswith("on") for name in attributes)
@@ -52,19 +66,42 @@ def test_nothing_is_loaded_from_elsewhere(built):
 
 
 def test_hostile_text_is_shown_not_obeyed(built):
-    page = next(built[1].glob("case/awkward*.html")).read_text(encoding="utf-8")
+    page = next(text for page, text in own_script(built) if page.name.startswith("awkward"))
     assert "&lt;script&gt;alert" in page
     assert "<script" not in page
 
 
-@pytest.mark.parametrize("kind", ["png", "svg"])
-def test_every_figure_has_both_forms(built, kind):
+def test_every_figure_of_the_evidence_is_drawn_once(built):
     report, folder = built
-    figures = sum(len(item.figures) for case in report.cases for item in case.evidence)
-    names = [path.name for path in (folder / "figures").glob(f"*.{kind}")]
-    drawn = [name for name in names if re.search(r"\.\d+\.(png|svg)$", name)]
-    assert len(drawn) == figures
-    assert (folder / "figures" / f"matrix.{kind}").stat().st_size > 5000
+    _, jobs = _plan(report, folder, folder / "figures")
+    drawn = [(item.verdict.run, repr(figure)) for job in jobs for what in job.args if isinstance(what, list)
+             for item, figure in filter(lambda each: isinstance(each, tuple), what)]
+    given = {(item.verdict.run, repr(figure)) for case in report.cases for item in case.evidence
+             for figure in item.figures}
+    assert set(drawn) == given
+    assert (folder / "figures" / "matrix.png").stat().st_size > 5000
+
+
+def test_each_check_has_a_picture_and_identities_have_a_line(built):
+    report, folder = built
+    page = (folder / "case" / "equilibrium-gas.html").read_text(encoding="utf-8")
+    assert page.count('<section class="check ') == 1
+    assert "case--equilibrium-gas--collision-rate.svg" in page
+    assert re.search(r"Exact identities</b> hold to rounding: momentum-conservation \(20 runs, at most 1×10⁻¹⁵ mass", page)
+    assert page.count('<tbody id="') == sum(item.case == "equilibrium-gas" for item in report.verdicts)
+
+
+def test_pictures_follow_the_scheme_of_the_viewer(built):
+    for path in (built[1] / "figures").glob("*.svg"):
+        text = path.read_text(encoding="utf-8")
+        assert text.count("prefers-color-scheme: dark") == 1, path.name
+
+
+def test_colours_of_data_can_be_told_from_dark_paper():
+    for colour in COLOURS + ["#440154", "#333333"]:   # the second last: the dark end of viridis
+        assert contrast(on_dark(colour), DARK_PAPER) >= CONTRAST
+    assert on_dark("#e69f00") == "#e69f00" and on_dark("#ffffff") == DARK_PAPER
+    assert contrast("#000000", "#ffffff") == pytest.approx(21)
 
 
 def test_unreadable_equation_stays_text(built):
@@ -96,15 +133,13 @@ def test_junit_blocks_where_the_judge_blocks(built):
 
 
 def test_a_rebuilt_picture_is_the_same_file(built, tmp_path):
-    from analysis.figures import draw_evidence
     report, folder = built
-    item = next(item for case in report.cases for item in case.evidence if item.figures)
-    draw_evidence(item.figures[0], item.verdict, tmp_path / "again.1")
-    again = (tmp_path / "again.1.svg").read_bytes()
-    assert any(path.read_bytes() == again for path in (folder / "figures").glob("*.1.svg"))
+    group = split(report.cases[0])[0][0]
+    draw_verdicts(group, tmp_path / "again")
+    name = f"case--equilibrium-gas--{group.check}.svg"
+    assert (tmp_path / "again.svg").read_bytes() == (folder / "figures" / name).read_bytes()
 
 
 def test_fixture_has_every_verdict(built):
-    from analysis.words import VERDICTS
     assert {item.verdict for item in built[0].verdicts} == set(VERDICTS)
     assert fixture.HOSTILE in {item.variant for item in built[0].verdicts}
