@@ -30,18 +30,30 @@ law::Arguments read_arguments(const std::vector<std::string>& words) {
 
 bool must_be_given(const law::Parameter& parameter) { return !parameter.fallback; }
 
+std::string fallback_text(const law::Parameter& parameter) {
+  if (parameter.fallback) return fmt::format("{}", *parameter.fallback);
+  return parameter.dimension == 0 ? "needed" : fmt::format("needed in {}D", parameter.dimension);
+}
+
+/// Values for what must be given, in round numbers.
+std::string try_text(const law::Law& law) {
+  const law::Arguments example = law::example_arguments(law);
+  std::string text = "sandglass law " + law.name;
+  for (const law::Parameter& parameter : law.parameters)
+    if (must_be_given(parameter) && example.contains(parameter.name))
+      text += fmt::format(" {}={:.2g}", parameter.name, example.at(parameter.name));
+  return text;
+}
+
 /// What the law takes and a line to try it with.
 void describe(const law::Law& law) {
   fmt::print("{}  [{}]\n  {}\n  source: {}\n  valid: {}\n\n", law.name, law.units, law.summary, law.source,
              law.validity);
   std::vector<std::vector<std::string>> rows = {{"argument", "units", "allowed", "default", "meaning"}};
   for (const law::Parameter& parameter : law.parameters)
-    rows.push_back({parameter.name, parameter.units, law::range_text(parameter),
-                    parameter.fallback ? fmt::format("{}", *parameter.fallback) : "none, give it",
+    rows.push_back({parameter.name, parameter.units, law::range_text(parameter), fallback_text(parameter),
                     parameter.summary});
-  fmt::print("{}\ntry: sandglass law {}", columns(rows), law.name);
-  for (const auto& [name, value] : law::example_arguments(law)) fmt::print(" {}={}", name, value);
-  fmt::print("\n");
+  fmt::print("{}\ntry: {}\n", columns(rows), try_text(law));
 }
 
 }  // namespace
