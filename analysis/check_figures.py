@@ -4,18 +4,18 @@ import math
 
 import numpy as np
 from matplotlib.patches import Rectangle
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from analysis.plotting import INK, axis_label, literal, method_look, pyplot, save, wrapped
 from analysis.residual import BUDGET, STANDARD, residual
-from analysis.words import labelled, units
+from analysis.words import labelled, number, units
 
 SIZE = (6.2, 4.3)       # inches: two beside each other on a laptop
 EDGE = 1.6              # a deviation beyond this many budgets stands at the edge
 FAR = 6                 # and a residual beyond this many standard errors
 SMALLEST = 1e-12        # what a logarithmic axis shows of values
 MOST = 28               # markers of one set of data
-CROWDED = 60            # letters of all labels: beyond, they stand upright
+CROWDED = 66            # letters side by side: beyond, labels stand upright
 RATIO = [1.75, 1]
 GREY = "#999999"
 BANDS = {STANDARD: (2, "band: two standard errors"), BUDGET: (1, "band: the error budget")}
@@ -28,6 +28,13 @@ def _known(number):
 def _spread(values):
     """Whether positive values need a logarithmic axis."""
     return len(values) > 0 and min(values) > 0 and max(values) > 30 * min(values)
+
+
+def _plain_ticks(axis):
+    """Powers of ten stand at the ticks, not beside the axis."""
+    low, high = axis.get_view_interval()
+    if axis.get_scale() == "linear" and not 1e-3 <= max(abs(low), abs(high)) < 1e5:
+        axis.set_major_formatter(FuncFormatter(lambda value, _: number(value, 3)))
 
 
 def _places(group):
@@ -122,7 +129,7 @@ def _deviations(panel, group, places):
 
 def room(points):
     """Inches that the labels of these points need below the first line; 0 where they lie flat."""
-    return min(1.3, 0.044 * max(map(len, points))) if sum(map(len, points)) > CROWDED else 0.0
+    return min(1.3, 0.044 * max(map(len, points))) if len(points) * max(map(len, points)) > CROWDED else 0.0
 
 
 def _labels(panel, points):
@@ -176,6 +183,7 @@ def draw_verdicts(group, stem):
     lower.grid(axis="x", visible=False)
     _deviations(lower, group, places)
     _labels(lower, group.points)
+    _plain_ticks(upper.yaxis)
     picture.align_ylabels()
     _legend(picture, upper)
     save(picture, stem, png=False)
@@ -207,6 +215,8 @@ def _curve(panel, lower, item, figure, variants, first):
         error = np.nan_to_num(np.array(points.error, float)[chosen]) if points.error else None
         panel.errorbar(x, y, yerr=error, fmt=look["marker"], color=look["color"], markerfacecolor="white",
                        markersize=3.8, elinewidth=0.8, label=literal(item.verdict.variant), zorder=3)
+        if points.expected and not figure.lines:
+            panel.plot(points.x, points.expected, color=INK, linewidth=1.1, zorder=6, label="theory" if first else None)
         if points.expected:
             values, errors, label = residual(points, figure.y, item.verdict)
             values = np.clip(values, -FAR, FAR) if label == STANDARD else values
@@ -262,6 +272,8 @@ def draw_data(pairs, stem, taller=0.0):
     lowest.set_xlabel(wrapped(labelled(figure.x.label, figure.x.units), 60, 1))
     if not upper.has_data():
         upper.text(0.5, 0.5, "no finite data", transform=upper.transAxes, ha="center", color="#777777")
+    for axis in {upper.yaxis, lowest.xaxis, lowest.yaxis}:
+        _plain_ticks(axis)
     if upper.get_yscale() == "log":
         upper.yaxis.set_minor_formatter(NullFormatter())
     picture.align_ylabels()
