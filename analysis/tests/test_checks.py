@@ -5,11 +5,11 @@ import math
 import pytest
 
 from analysis import explain, words
-from analysis.check_figures import signed_share
 from analysis.checks import CheckGroup
 from analysis.model import Budget, Evidence, Verdict
 from analysis.plotting import METHODS, method_look
 from analysis.tests import fixture
+from analysis.verdict_figure import signed_share
 
 
 def group(*rows):
