@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from functools import partial
 
 from analysis import comparison, headlines
-from analysis.check_figures import draw_data, draw_verdicts, room
 from analysis.checks import split
+from analysis.data_figure import draw_data
 from analysis.equations import draw_equation
 from analysis.exports import write_csv, write_junit
 from analysis.flows import flow_table
@@ -19,6 +19,7 @@ from analysis.pages import write_pages
 from analysis.source.build import draw_sources
 from analysis.summary import headline, quantities
 from analysis.sweep_figures import draw_frontier, draw_knob
+from analysis.verdict_figure import draw_verdicts, room
 from analysis.words import slug
 
 
@@ -96,7 +97,8 @@ def _plan_case(case, figures, pictures):
         pictures.verdicts[key] = plan.add(draw_verdicts, group, group.check)
         overlays = _alike(_pairs(group, 0))
         if overlays and plan.fresh(overlays[0]):
-            pictures.data[key] = plan.add(partial(draw_data, taller=room(group.points)), overlays[0], group.check, "data")
+            draw = partial(draw_data, taller=room(group.points))
+            pictures.data[key] = plan.add(draw, overlays[0], group.check, "data")
         pictures.details[key] = plan.details(group)
     return plan.jobs
 

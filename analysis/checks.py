@@ -46,14 +46,17 @@ class CheckGroup:
 
     @property
     def is_identity(self):
-        """Nothing is left but rounding, and nothing statistical is in it."""
-        return all(item.verdict in GOOD and not item.stderr and item.value is not None
-                   and abs(item.value) < ROUNDING and item.kind in ("equal", "at-most")
-                   and (item.expected or 0) <= ROUNDING for item in self.verdicts)
+        """Nothing is left but rounding, nothing statistical is in it, and there is nothing to see."""
+        return not any(item.figures for item in self.evidence) and all(map(_is_rounding, self.verdicts))
 
     @property
     def largest(self):
         return max(self.verdicts, key=lambda item: abs(item.value or 0))
+
+
+def _is_rounding(item):
+    exact = item.verdict in GOOD and not item.stderr and item.kind in ("equal", "at-most")
+    return exact and item.value is not None and abs(item.value) < ROUNDING and (item.expected or 0) <= ROUNDING
 
 
 def check_groups(case):

@@ -41,13 +41,14 @@ def _particles(scene):
     species = _species(scene)
     if len(species) > 1:
         return [f"{len(species)} species"]
-    parts = [text.format(number(item[key], 3)) for item in species for key, text in AMOUNTS.items() if item.get(key)]
+    parts = [text.format(number(item[key], 6)) for item in species for key, text in AMOUNTS.items() if item.get(key)]
     return parts + [f"restitution {item['restitution']:.6g}" for item in species if "restitution" in item]
 
 
 def _drive(scene):
-    parts = [f"gravity {number(max(map(abs, scene['forces']['gravity'])), 3)}"] if scene.get("forces", {}).get("gravity") else []
-    return parts + [f"{key} {number(scene['run'][key], 4)}" for key in ("replicas",) if scene.get("run", {}).get(key, 1) > 1]
+    gravity, replicas = scene.get("forces", {}).get("gravity"), scene.get("run", {}).get("replicas", 1)
+    parts = [f"gravity {number(max(map(abs, gravity)), 3)}"] if gravity else []
+    return parts + ([f"replicas {replicas}"] if replicas > 1 else [])
 
 
 def describe(text):

@@ -33,7 +33,7 @@ def _cooling(report):
 
 def decades(runs):
     """How many the energy falls through, over all runs."""
-    low = min(value for _, points in runs for value in points.y if value > 0)
+    low = min((value for _, points in runs for value in points.y if value > 0), default=1.0)
     return int(np.floor(-np.log10(low) + 0.05))
 
 
@@ -44,11 +44,14 @@ def draw_cooling(runs, stem):
     last, variants = 1.0, list(dict.fromkeys(verdict.variant for verdict, _ in runs))
     for verdict, points in runs:
         time, energy = np.array(points.x) / verdict.expected, np.array(points.y, float)
+        if not (time > 0).any():
+            continue
         look = method_look(verdict.variant, variants)
-        marks = [int(np.argmin(np.abs(time - each))) for each in np.geomspace(max(time[1], 1e-2), time[-1], 9)]
+        first = max(time[time > 0].min(), 1e-2)
+        marks = [int(np.argmin(np.abs(time - each))) for each in np.geomspace(first, time.max(), 9)]
         panel.plot(time[marks], energy[marks], look["marker"], color=look["color"], markerfacecolor="none",
                    markersize=5, markeredgewidth=0.8)
-        last = max(last, time[-1])
+        last = max(last, time.max())
     for variant in variants:
         look = method_look(variant, variants)
         panel.plot([], [], look["marker"], color=look["color"], markerfacecolor="none", label=literal(variant))

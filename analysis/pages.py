@@ -26,7 +26,8 @@ def _size_of(folder):
     def size(name):
         with (folder / "figures" / f"{name}.svg").open(encoding="utf-8") as stream:
             found = OPENING.search(stream.read(1000))
-        return Markup('width="{:.0f}" height="{:.0f}"').format(*(float(each) * 4 / 3 for each in found.groups())) if found else ""
+        pixels = [float(each) * 4 / 3 for each in found.groups()] if found else []
+        return Markup('width="{:.0f}" height="{:.0f}"').format(*pixels) if found else ""
     return size
 
 

@@ -110,7 +110,8 @@ def field(record, name, dimension, size):
         else:
             others = tuple(axis for axis in range(dimension) if axis not in axes[:2])
             typical = np.sqrt(np.nanmean(noise ** 2)) if np.isfinite(noise).any() else np.nan
-            title = f"{label} [{units(unit)}]" + (f", std. error {typical:.2g}" if np.isfinite(typical) else "")
+            noted = f", std. error {typical:.2g}" if np.isfinite(typical) else ""
+            title = f"{label} [{units(unit)}]{noted}"
             panels.append(Panel(title, "xyz"[axes[0]], "length", "xyz"[axes[1]], [], mean.mean(axis=others).T))
     return panels
 

@@ -71,7 +71,8 @@ def _has_frames(path, scene):
 
 def _check_output(output, overwrite):
     if output.suffix not in ENDINGS:
-        raise InputError(output, "", f"'{output.suffix}' is no format of a picture", f"end the name with {', '.join(ENDINGS)}")
+        raise InputError(output, "", f"'{output.suffix}' is no format of a picture",
+                         f"end the name with {', '.join(ENDINGS)}")
     if output.exists() and not overwrite:
         raise InputError(output, "", "is there already", "give another --output, or --overwrite")
 
@@ -84,7 +85,8 @@ def draw_record(path, output, overwrite=False):
     frames = _has_frames(path, scene)
     count = len(found) + frames
     if not count:
-        raise InputError(path, "", "holds no series and no particles", "give the scene an [[observe]], or [output] trajectory")
+        raise InputError(path, "", "holds no series and no particles",
+                         "give the scene an [[observe]], or [output] trajectory")
     columns = min(COLUMNS, count)
     rows = math.ceil(count / columns)
     picture, axes = pyplot.subplots(rows, columns, squeeze=False, layout="constrained",
@@ -99,7 +101,8 @@ def draw_record(path, output, overwrite=False):
     for each in axes[count:]:
         each.set_axis_off()
     replicas = len(record.seeds)
-    bars = f"mean of {replicas} replicas, bars: one standard error" if replicas > 1 else "one replica: no error bars against time"
+    bars = (f"mean of {replicas} replicas, bars: one standard error" if replicas > 1
+            else "one replica: no error bars against time")
     picture.suptitle(literal(f"{path.name}: {bars}"), x=0.01, ha="left", weight="bold", fontsize=10.5)
     _write(picture, output)
     return count

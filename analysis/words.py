@@ -109,9 +109,10 @@ def expectation(item):
 
 def said(text):
     """A sentence of the judge in the notation of the page: 5.5e-13 becomes 5.5×10⁻¹³, +- becomes ±."""
-    power = re.sub(r"(?<=\d)e([-+]?)0*(\d+)", lambda match: "×10" + (match[1].replace("+", "") + match[2]).translate(SUPERSCRIPT),
-                   text.replace("+-", "±"))
-    return re.sub(r"(?<![\w.])-(?=\d)", "−", power)
+    def power(match):
+        return "×10" + (match[1].replace("+", "") + match[2]).translate(SUPERSCRIPT)
+    raised = re.sub(r"(?<=\d)e([-+]?)0*(\d+)", power, text.replace("+-", "±"))
+    return re.sub(r"(?<![\w.])-(?=\d)", "−", raised)
 
 
 def units(text):

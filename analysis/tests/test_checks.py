@@ -5,11 +5,11 @@ import math
 import pytest
 
 from analysis import explain, words
-from analysis.check_figures import signed_share
 from analysis.checks import CheckGroup
 from analysis.model import Budget, Evidence, Verdict
 from analysis.plotting import METHODS, method_look
 from analysis.tests import fixture
+from analysis.verdict_figure import signed_share
 
 
 def group(*rows):
@@ -29,6 +29,8 @@ def test_an_identity_is_exact_in_every_run():
     assert not group(row(**tiny | {"stderr": 1e-18})).is_identity
     assert not group(row(**tiny | {"verdict": "fail"})).is_identity
     assert not group(row(value=1.0, stderr=0.0, expected=1.0)).is_identity
+    seen = Evidence(group(row(**tiny)).verdicts[0], "", [object()])
+    assert not CheckGroup("check", [seen]).is_identity
 
 
 @pytest.mark.parametrize("texts, shared", [

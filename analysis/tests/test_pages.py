@@ -9,10 +9,10 @@ from xml.etree import ElementTree
 import pytest
 
 from analysis.build import _plan
-from analysis.check_figures import draw_verdicts
 from analysis.checks import split
 from analysis.plotting import COLOURS, CONTRAST, DARK_PAPER, contrast, on_dark
 from analysis.tests import fixture
+from analysis.verdict_figure import draw_verdicts
 from analysis.words import VERDICTS
 
 
