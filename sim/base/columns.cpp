@@ -20,6 +20,20 @@ const void* NamedColumn::data() const {
   return std::visit([](const auto& values) -> const void* { return values.data(); }, numbers);
 }
 
+NamedColumn pick(const ColumnView& column, std::span<const std::uint32_t> places) {
+  const std::size_t components = column.info.components;
+  NamedColumn picked{column.info, make_numbers(column.info.number, places.size() * components, 0)};
+  std::visit(
+      [&]<class T>(std::vector<T>& values) {
+        const T* numbers = static_cast<const T*>(column.numbers);
+        for (std::size_t i = 0; i < places.size(); ++i)
+          std::copy_n(numbers + places[i] * components, components,
+                      values.begin() + static_cast<std::ptrdiff_t>(i * components));
+      },
+      picked.numbers);
+  return picked;
+}
+
 const NamedColumn* Columns::find(const ColumnInfo& info) const {
   const auto found = std::ranges::find(list_, info.name, [](const auto& entry) { return entry.info.name; });
   if (found == list_.end()) return nullptr;

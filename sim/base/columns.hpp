@@ -56,6 +56,9 @@ struct NamedColumn {
   ColumnView view() const { return {info, data(), particles()}; }
 };
 
+/// The values of the particles at these places, in their order; a place may come several times.
+NamedColumn pick(const ColumnView& column, std::span<const std::uint32_t> places);
+
 /// Columns of the same particles: what a method starts from, a frame shows and a checkpoint keeps beside positions and
 /// velocities. Values are read and written through the declaration of their column, which knows their type.
 class Columns {

@@ -35,6 +35,19 @@ TEST(Columns, AnotherTypeUnderTheSameNameIsRefused) {
   EXPECT_THROW(columns.append(column::spin<2>, Spin<2>(1)), InputError);
 }
 
+TEST(Columns, ArePickedByPlace) {
+  Columns columns;
+  for (double turn : {1.0, 2.0, 3.0}) columns.append(column::spin<3>, Spin<3>(turn, 10 * turn, 0));
+  const std::vector<std::uint32_t> places{2, 0, 2};
+  Columns picked;
+  picked.set(pick(columns.all()[0].view(), places));
+  const auto spins = picked.get(column::spin<3>);
+  ASSERT_EQ(spins.size(), 3u);
+  EXPECT_EQ(spins[0], Spin<3>(3, 30, 0));
+  EXPECT_EQ(spins[1], Spin<3>(1, 10, 0));
+  EXPECT_EQ(spins[2], spins[0]);
+}
+
 TEST(ColumnViews, AnEmptyColumnIsAbsent) {
   ColumnViews views;
   const std::vector<double> weights{1, 2};

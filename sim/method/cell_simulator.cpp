@@ -47,8 +47,9 @@ void CellSimulator<D>::insert(const Particles<D>& particles) {
 template <int D>
 void CellSimulator<D>::enter(const Entrants<D>& entrants, double dt, std::uint64_t step) {
   if (!entrance_) entrance_ = std::make_unique<motion::Entrance<D>>(motion_parameters_, store_.grid().box());
-  const motion::Arrived<D> arrived = entrance_->fly(entrants, motion_step(dt, step));
+  motion::Arrived<D> arrived = entrance_->fly(entrants, motion_step(dt, step));
   for (const Vector<D>& position : arrived.left) count_one_who_leaves(position);
+  if (cloner_) cloner_->apply(arrived.particles, store_, traits_, cloning_key(step));
   store_.insert(arrived.particles);
 }
 
@@ -59,10 +60,11 @@ void CellSimulator<D>::remove(std::span<const std::uint32_t> places) {
 }
 
 template <int D>
-void CellSimulator<D>::end_step(double dt) {
+void CellSimulator<D>::end_step(double dt, std::uint64_t step) {
   time_ += dt;
   tally_.moves += store_.size();
   if (store_.arrivals()[store_.removed()] > 0) count_those_who_leave();
+  if (cloner_) cloner_->apply(store_, traits_, cloning_key(step));
   store_.sort();
 }
 
@@ -91,7 +93,7 @@ void CellSimulator<D>::count_one_who_leaves(const Vector<D>& position) {
 
 template <int D>
 std::map<std::string, double> CellSimulator<D>::counters() const {
-  std::map<std::string, double> counters;
+  std::map<std::string, double> counters = cloner_ ? cloner_->counters() : std::map<std::string, double>{};
   for (std::size_t axis = 0; axis < D; ++axis)
     for (const bool high : {false, true}) {
       if (!motion_parameters_.open[axis][high]) continue;
@@ -112,6 +114,7 @@ std::array<bool, D> CellSimulator<D>::periodic() const {
 template <int D>
 Memory CellSimulator<D>::save() const {
   Memory memory{{"cells/next-id", {static_cast<double>(store_.next_id())}}};
+  if (cloner_) memory["cloning"] = cloner_->save();
   if (motion_parameters_.walls_move()) memory["motion/time"] = {time_};
   if (motion_parameters_.has_open_side())
     for (const auto& sides : left_)
@@ -122,6 +125,7 @@ Memory CellSimulator<D>::save() const {
 template <int D>
 void CellSimulator<D>::load(const Memory& memory) {
   store_.set_next_id(static_cast<std::uint64_t>(memory.at("cells/next-id").at(0)));
+  if (cloner_) cloner_->load(memory.at("cloning"));
   if (motion_parameters_.walls_move()) time_ = memory.at("motion/time").at(0);
   if (!motion_parameters_.has_open_side()) return;
   for (std::size_t i = 0; i < 2 * D; ++i)

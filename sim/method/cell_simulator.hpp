@@ -1,10 +1,12 @@
 #pragma once
 
+#include "sim/method/cloner.hpp"
 #include "sim/method/simulator.hpp"
 #include "sim/motion/entrance.hpp"
 #include "sim/motion/motion_stage.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace sandglass {
@@ -27,11 +29,11 @@ class CellSimulator : public Simulator<D> {
   void enter(const Entrants<D>& entrants, double dt, std::uint64_t step) override;
   void remove(std::span<const std::uint32_t> places) override;
   Tally& tally() override { return tally_; }
-  /// Those who have left by open sides; nothing in a box without one.
+  /// Those who have left by open sides, and copies between regions; nothing in a box without.
   std::map<std::string, double> counters() const override;
   Memory save() const override;
   void load(const Memory& memory) override;
-  std::size_t bytes() const override { return store_.bytes(); }
+  std::size_t bytes() const override { return store_.bytes() + (cloner_ ? cloner_->bytes() : 0); }
 
  protected:
   /// The coming step, for the flight.
@@ -42,7 +44,11 @@ class CellSimulator : public Simulator<D> {
     motion_->advance(store_, first, last, step);
   }
   /// Sorts the particles into the cells where they arrived.
-  void end_step(double dt);
+  void end_step(double dt, std::uint64_t step);
+  /// Every particle gets the weight of its cell, see Cloner. There is a column of weights.
+  void weigh_by_cell(std::vector<double> weights, const CloningFaults& faults) {
+    cloner_.emplace(std::move(weights), faults, tally_);
+  }
   std::array<bool, D> periodic() const;
 
   Streams streams_;
@@ -50,6 +56,9 @@ class CellSimulator : public Simulator<D> {
   Tally tally_;
 
  private:
+  StreamKey cloning_key(std::uint64_t step) const {
+    return {streams_.seed, Purpose::cloning, streams_.replica, step};
+  }
   void count_those_who_leave();
   void count_one_who_leaves(const Vector<D>& position);
 
@@ -58,6 +67,7 @@ class CellSimulator : public Simulator<D> {
   motion::MotionParameters<D> motion_parameters_;
   std::unique_ptr<motion::MotionStage<D>> motion_;
   std::unique_ptr<motion::Entrance<D>> entrance_;  ///< since the first enter()
+  std::optional<Cloner<D>> cloner_;                ///< without regions none
   double time_ = 0;                                ///< since assign(): moving walls ask
   std::array<std::array<std::uint64_t, 2>, D>
       left_{};  ///< since assign(), by axis: over the low, the high side

@@ -9,7 +9,8 @@ namespace sandglass {
 /// What a scene needs and what it leaves out, before anything runs.
 struct Plan {
   std::string method;
-  std::uint64_t particles = 0;  ///< with all that sources and inflows bring in
+  std::uint64_t particles = 0;       ///< with all that sources and inflows bring in
+  std::uint64_t most_particles = 0;  ///< if all went where weights are lowest; 0 without regions
   std::uint64_t cells = 0, replicas = 1;
   double particles_per_cell = 0, cell_size_in_mean_free_paths = 0;
   double mean_free_path = 0;  ///< of a uniform gas at the initial temperature; infinite without collisions

@@ -15,12 +15,10 @@ template <int D>
 Arrived<D> Entrance<D>::fly(const Entrants<D>& entrants, const MotionStep& step) const {
   Arrived<D> arrived;
   Particles<D> flying = entrants.particles;
-  const auto species = flying.columns.get(column::species);
-  const auto spins = flying.columns.edit(column::spin<D>);
-  const Bodies<D> bodies(surfaces_.parameters, species.data(), spins.data());
+  const Bodies<D> bodies(surfaces_.parameters, flying.columns.get(column::species).data(),
+                         flying.columns.edit(column::spin<D>).data());
   const FlightCounters<D> counters{surfaces_.parameters.planes, surfaces_.parameters.impulses};
-  std::vector<std::uint8_t> their_species;
-  std::vector<Spin<D>> their_spins;
+  std::vector<std::uint32_t> inside;
   for (std::uint32_t i = 0; i < flying.phases.size(); ++i) {
     const Arrival& arrival = entrants.arrivals[i];
     Phase<D>& particle = flying.phases[i];
@@ -28,16 +26,12 @@ Arrived<D> Entrance<D>::fly(const Entrants<D>& entrants, const MotionStep& step)
     Random random(step.key, stream_index(kOutside, i));
     const MotionStep rest{arrival.left, step.time + step.dt - arrival.left, step.key};
     BoundedFlight<D>(surfaces_, box_, rest).fly(particle, bodies[i], random, counters);
-    if (surfaces_.has_left(particle.position)) {
+    if (surfaces_.has_left(particle.position))
       arrived.left.push_back(particle.position);
-      continue;
-    }
-    arrived.particles.phases.push_back(particle);
-    if (!species.empty()) their_species.push_back(species[i]);
-    if (!spins.empty()) their_spins.push_back(spins[i]);
+    else
+      inside.push_back(i);
   }
-  if (!their_species.empty()) arrived.particles.columns.set(column::species, their_species);
-  if (!their_spins.empty()) arrived.particles.columns.set(column::spin<D>, their_spins);
+  arrived.particles = pick(flying, inside);
   return arrived;
 }
 

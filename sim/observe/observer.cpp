@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
 #include "sim/observe/centre_of_mass.hpp"
+#include "sim/observe/cloning.hpp"
 #include "sim/observe/collisions.hpp"
 #include "sim/observe/distribution.hpp"
 #include "sim/observe/energy.hpp"
@@ -55,6 +56,12 @@ const std::map<std::string, std::function<List<D>(const ObserverSpec&, std::size
       {"collisions",
        [](Spec, std::size_t) {
          return list<D>(make_unique<CollisionCount<D>>(false), make_unique<CollisionCount<D>>(true));
+       }},
+      {"cloning",
+       [](Spec, std::size_t) {
+         using Sums = CloningSums<D>;
+         return list<D>(make_unique<Cloning<D>>(Sums::brought), make_unique<Cloning<D>>(Sums::gained),
+                        make_unique<Cloning<D>>(Sums::variance));
        }},
       {"pressure", [](Spec, std::size_t) { return list<D>(make_unique<Pressure<D>>()); }},
       {"crossings",

@@ -1,6 +1,7 @@
 #include "sim/observe/observer.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/observe/cloning_sums.hpp"
 #include "sim/observe/fields.hpp"
 #include "sim/observe/test_view.hpp"
 
@@ -76,7 +77,8 @@ const char* const kWords[] = {
     "collisions",       "pressure",        "crossings",         "fields",           "shear-mode",
     "impact-parameter", "overlap",         "rotational-energy", "pair-correlation", "structure-factor",
     "pair-velocity",    "centre-of-mass",  "free-surface",      "kinetic-stress",   "wall-force",
-    "two-fluids",       "species-density", "energy-flux",       "species",          "spin-temperature"};
+    "two-fluids",       "species-density", "energy-flux",       "species",          "spin-temperature",
+    "cloning"};
 
 template <int D>
 void expect_shape_as_declared() {
@@ -87,6 +89,7 @@ void expect_shape_as_declared() {
   system.traits.resize(2);
   system.species = {0, 1};
   system.tally.by_species.resize(4);
+  system.tally.cloning.resize(CloningSums<D>::kSize);
   for (const char* word : kWords) {
     ObserverSpec spec = spec_of(word);
     spec.grid.assign(D, 8);

@@ -25,6 +25,8 @@ struct Tally {
       impact;  ///< collisions since time zero by |b| / d, Needs::impact_bins over [0, 1]
   /// Collisions since time zero of species a with species b at [a * species + b], a the first partner; empty: not counted.
   std::vector<std::uint64_t> by_species;
+  /// What regions of other weights do to who crosses between them, see CloningSums; empty: not counted.
+  std::vector<ExactSum> cloning;
   double deepest_overlap = 0;  ///< largest overlap at a collision, in diameters
 
   void save(Memory& memory) const;

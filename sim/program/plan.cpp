@@ -16,6 +16,7 @@ namespace {
 nlohmann::json as_json(const Plan& plan) {
   return {{"method", plan.method},
           {"particles", plan.particles},
+          {"most_particles", plan.most_particles},
           {"cells", plan.cells},
           {"replicas", plan.replicas},
           {"particles_per_cell", plan.particles_per_cell},
@@ -47,10 +48,16 @@ std::string work(const Plan& plan) {
                      plan.particle_moves, plan.expected_collisions);
 }
 
+std::string most(const Plan& plan) {
+  if (plan.most_particles == 0) return "";
+  return fmt::format(", evenly spread; at most {} at their mass, if all went where weights are lowest",
+                     plan.most_particles);
+}
+
 std::string as_text(const Plan& plan) {
   std::vector<std::vector<std::string>> rows = {
       {"method", plan.method},
-      {"particles", fmt::format("{} x {} replica(s)", plan.particles, plan.replicas)},
+      {"particles", fmt::format("{} x {} replica(s){}", plan.particles, plan.replicas, most(plan))},
       {"cells", fmt::format("{} ({:.3g} particles each, {:.3g} mean free paths wide)", plan.cells,
                             plan.particles_per_cell, plan.cell_size_in_mean_free_paths)},
       {"time step", fmt::format("{:.6g} ({:.3g} collisions per particle)", plan.time_step,

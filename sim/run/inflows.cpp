@@ -34,7 +34,11 @@ Spin<D> draw_spin(double width, Random& random) {
 template <int D>
 Inflows<D>::Inflows(const Setup<D>& setup, const Streams& streams)
     : setup_(setup), streams_(streams), entered_(setup.inflows.size()) {
-  for (const Inflow& inflow : setup.inflows) rate_.push_back(inflow_rate(setup.scene, inflow));
+  for (const Inflow& inflow : setup.inflows) {
+    const double rate = inflow_rate(setup.scene, inflow);
+    if (setup.weights) sides_.push_back(setup.weights->along(inflow.axis, inflow.high));
+    rate_.push_back(setup.weights ? rate * setup.scene.method.weight * sides_.back().mean_inverse : rate);
+  }
 }
 
 template <int D>
@@ -79,8 +83,19 @@ void Inflows<D>::draw(std::size_t index, double count, double dt, Entrants<D>& e
   for (std::uint64_t n = first; n < first + static_cast<std::uint64_t>(count); ++n) {
     Random random(key, n);
     Phase<D> particle;
-    for (int axis = 0; axis < D; ++axis) particle.position[axis] = box[axis] * random.uniform();
-    particle.position[inflow.axis] = inflow.high ? box[inflow.axis] : 0;
+    const auto draw_place = [&] {
+      for (int axis = 0; axis < D; ++axis) particle.position[axis] = box[axis] * random.uniform();
+      particle.position[inflow.axis] = inflow.high ? box[inflow.axis] : 0;
+    };
+    draw_place();
+    if (setup_.weights) {
+      // Of the places, evenly spread over real particles, one in w over the lowest weight is that of a simulated one.
+      double weight = setup_.weights->at(particle.position);
+      for (; random.uniform() * weight >= sides_[index].lightest;
+           weight = setup_.weights->at(particle.position))
+        draw_place();
+      entrants.particles.columns.append(column::weight, weight);
+    }
     entrants.arrivals.push_back({inflow.axis, inflow.high, dt * (1 - random.uniform())});
     particle.velocity = flux(random);
     if (inflow.fault == InflowFault::maxwellian)

@@ -10,7 +10,7 @@ namespace sandglass {
 
 /// The inflows of a scene at work: each sends in what the Maxwellian of its stream sends through the side, at times that
 /// are uniform within the step. The n-th particle of an inflow draws place, time, velocity and spin from a stream of its
-/// own.
+/// own. Where regions have weights of their own, so have those who come in there.
 template <int D>
 class Inflows {
  public:
@@ -31,7 +31,8 @@ class Inflows {
 
   const Setup<D>& setup_;
   Streams streams_;
-  std::vector<double> rate_, entered_;  ///< of each inflow
+  std::vector<double> rate_, entered_;                  ///< of each inflow
+  std::vector<typename RegionWeights<D>::Side> sides_;  ///< the same; without regions none
 };
 
 extern template class Inflows<2>;

@@ -11,20 +11,25 @@ namespace sandglass {
 
 namespace {
 
-/// The species of each particle.
+/// The species of each particle, and its weight.
 class Kinds {
  public:
   template <int D>
   Kinds(const Scene& scene, const Particles<D>& particles)
-      : species_(scene.species), of_(particles.columns.get(column::species)) {}
+      : species_(scene.species),
+        of_(particles.columns.get(column::species)),
+        weights_(particles.columns.get(column::weight)) {}
   const Species& operator[](std::size_t i) const { return species_[of_.empty() ? 0 : of_[i]]; }
+  /// 1 where all are alike.
+  double weight(std::size_t i) const { return weights_.empty() ? 1 : weights_[i]; }
 
  private:
   const std::vector<Species>& species_;
   std::span<const std::uint8_t> of_;
+  std::span<const double> weights_;
 };
 
-/// Masses count in units of the first species' mass.
+/// Masses count in units of the first species' mass; degrees of freedom per axis as in Population::freedom.
 template <int D>
 void make_exact(Particles<D>& particles, const Scene& scene, double thermal) {
   const std::size_t count = particles.phases.size();
@@ -33,17 +38,23 @@ void make_exact(Particles<D>& particles, const Scene& scene, double thermal) {
         "'initial.exact' cannot serve a single particle, whose mean velocity is its own; use exact = "
         "false");
   const Kinds kinds(scene, particles);
-  const auto weight = [&](std::size_t i) { return kinds[i].mass / scene.species.front().mass; };
-  double total = 0;
-  for (std::size_t i = 0; i < count; ++i) total += weight(i);
+  const auto mass = [&](std::size_t i) {
+    return kinds.weight(i) * (kinds[i].mass / scene.species.front().mass);
+  };
+  double total = 0, real = 0, shared = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    total += mass(i);
+    real += kinds.weight(i);
+    shared += kinds.weight(i) * mass(i);
+  }
   Vector<D> mean = Vector<D>::Zero();
-  for (std::size_t i = 0; i < count; ++i) mean += weight(i) * particles.phases[i].velocity / total;
+  for (std::size_t i = 0; i < count; ++i) mean += mass(i) * particles.phases[i].velocity / total;
   double square = 0;
   for (std::size_t i = 0; i < count; ++i) {
     particles.phases[i].velocity -= mean;
-    square += weight(i) * particles.phases[i].velocity.squaredNorm();
+    square += mass(i) * particles.phases[i].velocity.squaredNorm();
   }
-  const double scale = thermal * std::sqrt(D * (static_cast<double>(count) - 1) / square);
+  const double scale = thermal * std::sqrt(D * (real - shared / total) / square);
   for (Phase<D>& particle : particles.phases) particle.velocity *= scale;
 }
 
@@ -84,7 +95,8 @@ void draw_spins(Particles<D>& particles, const Scene& scene, const Streams& stre
   const Kinds kinds(scene, particles);
   const auto spins = particles.columns.edit(column::spin<D>);
   constexpr int kComponents = Spin<D>::SizeAtCompileTime;
-  double energy = 0;  // twice the mean per degree of freedom
+  double energy = 0, real = 0;  // twice the mean per degree of freedom
+  for (std::size_t i = 0; i < count; ++i) real += kinds.weight(i);
   for (std::size_t i = 0; i < count; ++i) {
     const Species& kind = kinds[i];
     const double inertia =
@@ -92,7 +104,7 @@ void draw_spins(Particles<D>& particles, const Scene& scene, const Streams& stre
     Random random(key, i);
     boost::random::normal_distribution<double> normal(0, std::sqrt(temperature / inertia));
     for (int axis = 0; axis < kComponents; ++axis) spins[i][axis] = normal(random);
-    energy += inertia * spins[i].squaredNorm() / (kComponents * static_cast<double>(count));
+    energy += kinds.weight(i) * (inertia * spins[i].squaredNorm() / (kComponents * real));
   }
   if (!scene.initial.exact) return;
   for (Spin<D>& spin : spins) spin *= std::sqrt(temperature / energy);

@@ -99,6 +99,14 @@ void warn_of_vacuum(const Scene& scene, Plan& plan) {
     }
 }
 
+/// Evenly spread particles; and the bound, for crossings keep their mass in the mean.
+template <int D>
+void weigh_by_region(const Setup<D>& setup, Plan& plan) {
+  const double real = static_cast<double>(plan.particles) * setup.scene.method.weight;
+  plan.particles = static_cast<std::uint64_t>(real * setup.weights->mean_inverse());
+  plan.most_particles = static_cast<std::uint64_t>(real / setup.weights->lightest());
+}
+
 template <int D>
 Plan plan_of(const Scene& scene) {
   const Setup<D> setup = set_up<D>(scene, {});
@@ -106,6 +114,7 @@ Plan plan_of(const Scene& scene) {
   plan.method = scene.method.preset;
   plan.replicas = scene.run.replicas;
   plan.particles = setup.particles + added_count(scene);
+  if (setup.weights) weigh_by_region(setup, plan);
   expect_work(setup, plan);
   plan.bytes_of_samples = bytes_of_samples(setup, plan);
   setup.method->plan(plan);

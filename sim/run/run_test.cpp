@@ -348,10 +348,11 @@ Scene dense_mixture() {
   return scene;
 }
 
-/// A stream that comes in by one side and leaves by the other.
+/// A stream that comes in by one side and leaves by the other, past a border between weights.
 Scene passing_stream() {
   Scene scene = test_scene(2, 12, 30);
   dsmc_options(scene).cells = {6, 6};
+  scene.regions = {{{0, 6}, {12, 12}, 0.5}};
   scene.method.time_step.fixed = 0.1;
   scene.domain.sides[0] = {Side::open, Side::open};
   scene.inflows.emplace_back();

@@ -71,6 +71,7 @@ Setup<D> set_up(const Scene& scene, const std::string& planted_fault) {
   for (const Observe& observe : setup.scene.observe) setup.observers.push_back(spec_of(setup.scene, observe));
   setup.method = make_builder<D>({setup.scene, needs_of(setup.observers), planted_fault});
   setup.method->record_choices(setup.scene);
+  if (!scene.regions.empty()) setup.weights.emplace(scene);
   return setup;
 }
 

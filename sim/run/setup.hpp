@@ -1,9 +1,11 @@
 #pragma once
 
 #include "sim/method/builder.hpp"
+#include "sim/method/region_weights.hpp"
 #include "sim/run/run.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace sandglass {
@@ -14,10 +16,11 @@ struct Setup {
   Scene scene;  ///< with every choice that assembly made
   std::vector<ObserverSpec> observers;
   std::unique_ptr<MethodBuilder<D>> method;
-  std::uint64_t particles;      ///< at time zero
-  std::vector<Source> sources;  ///< of the scene, with a fault if one is planted into them
-  std::vector<Inflow> inflows;  ///< the same
-  TimeStep time_step;           ///< the same
+  std::uint64_t particles;                       ///< at time zero
+  std::vector<Source> sources;                   ///< of the scene, with a fault if one is planted into them
+  std::vector<Inflow> inflows;                   ///< the same
+  TimeStep time_step;                            ///< the same
+  std::optional<RegionWeights<D>> weights = {};  ///< without regions none
 };
 
 /// Throws InputError for a combination that the method cannot do.

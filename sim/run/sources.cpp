@@ -118,6 +118,7 @@ Particles<D> Sources<D>::draw(std::size_t index, double count, double level) con
           "'source.width'",
           n + 1));
     particles.phases.push_back({position, vector_of<D>(source.velocity)});
+    if (setup_.weights) particles.columns.append(column::weight, setup_.weights->at(position));
   }
   return particles;
 }

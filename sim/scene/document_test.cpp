@@ -102,6 +102,7 @@ TEST(Reference, NamesEveryKeyPresetAndObserver) {
   scene.method.options = dsmc;
   scene.gravity = {0, 0, 1};
   scene.sources = {{1, 1, 1, {1, 1}, {1, 1}, {0, 0, 1}}};
+  scene.regions = {{{0, 0, 0}, {1, 1, 1}, 1}};
   scene.initial.velocity = {0, 0, 0};
   scene.initial.shear_wave = ShearWave{};
   scene.output.trajectory = scene.output.checkpoint = Cadence{};

@@ -2,6 +2,8 @@
 #include "sim/scene/scene.hpp"
 #include "sim/scene/test_mutator.hpp"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 // Property: whatever the text, the reader returns a scene that keeps the rules and survives writing, or
@@ -106,6 +108,39 @@ what = "rotational-energy"
 event-trace = "events.csv"
 )";
 
+const std::string good_regions = R"([run]
+duration = { time = 10.0 }
+[domain]
+dimension = 2
+size = [10.0, 20.0]
+sides.x = "open"
+[[species]]
+count = 100
+diameter = 0.1
+[[source]]
+rate = 0.5
+centre = [5.0, 3.0]
+width = [2.0, 1.0]
+[[region]]
+low = [0.0, 0.0]
+high = [10.0, 4.0]
+weight = 2.0
+[[region]]
+low = [0.0, 8.0]
+high = [10.0, 12.0]
+weight = 0.25
+[method]
+preset = "dsmc"
+cells = [5, 10]
+weight = 0.5
+time-step = 0.1
+[[observe]]
+what = "cloning"
+[[observe]]
+what = "fields"
+grid = [1, 10]
+)";
+
 enum class Outcome { accepted, refused };
 
 Outcome read_spoiled(const std::string& text) {
@@ -127,10 +162,10 @@ Outcome read_spoiled(const std::string& text) {
 class Fuzz : public testing::TestWithParam<std::string> {};
 
 std::string method_name(const testing::TestParamInfo<std::string>& scene) {
-  return scene.index == 0 ? "Cuba" : "EventDriven";
+  return std::array{"Cuba", "EventDriven", "Regions"}.at(scene.index);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Fuzz, testing::Values(good, good_event_driven), method_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, Fuzz, testing::Values(good, good_event_driven, good_regions), method_name);
 
 TEST_P(Fuzz, ASpoiledSceneIsReadOrRefusedAndNothingElse) {
   Mutator mutator(20240607);

@@ -30,6 +30,7 @@ const std::vector<Rule>& all_rules() {
       {{"domain.dimension", "forces"}, check_gravity},
       {{"domain", "source"}, check_sources},
       {{"domain", "species", "inflow"}, check_inflows},
+      {{"domain", "species", "method", "source"}, check_regions},
       {{"domain", "species", "method"}, check_step_of_empty_box},
       {{"domain.dimension"}, check_initial},
       {{"domain", "species", "method", "initial.positions"}, check_overlap},

@@ -29,6 +29,7 @@ void check_walls(const Scene& scene, Diagnostics& diagnostics);
 void check_obstacles(const Scene& scene, Diagnostics& diagnostics);
 void check_sources(const Scene& scene, Diagnostics& diagnostics);
 void check_inflows(const Scene& scene, Diagnostics& diagnostics);
+void check_regions(const Scene& scene, Diagnostics& diagnostics);
 void check_given(const Scene& scene, Diagnostics& diagnostics);
 void check_spins(const Scene& scene, Diagnostics& diagnostics);
 /// Of the family itself, on its keys and what they need.

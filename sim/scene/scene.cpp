@@ -96,6 +96,12 @@ double fraction(const Scene& scene) {
   return total;
 }
 
+double lightest_weight(const Scene& scene) {
+  double lightest = scene.method.weight;
+  for (const Region& region : scene.regions) lightest = std::min(lightest, region.weight);
+  return lightest;
+}
+
 double duration_of(const Scene& scene) {
   if (scene.run.duration.time) return *scene.run.duration.time;
   if (scene.run.duration.steps && scene.method.time_step.fixed)

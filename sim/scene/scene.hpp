@@ -5,6 +5,7 @@
 #include "sim/scene/initial/initial.hpp"
 #include "sim/scene/method/method.hpp"
 #include "sim/scene/observe/observe.hpp"
+#include "sim/scene/region/region.hpp"
 #include "sim/scene/run/run.hpp"
 #include "sim/scene/source/source.hpp"
 #include "sim/scene/species/species.hpp"
@@ -31,6 +32,7 @@ struct Scene {
   std::vector<Obstacle> obstacles;
   std::vector<Source> sources;
   std::vector<Inflow> inflows;
+  std::vector<Region> regions;  ///< of other weights; they do not overlap
   Initial initial;
   std::vector<GivenParticle> given;  ///< positions = "given": all particles; else empty
   std::vector<Observe> observe;
@@ -47,7 +49,7 @@ bool is_rough(const Scene& scene);
 double largest_diameter(const Scene& scene);
 
 /// Simulated particles of a species, from whichever of count, fraction or number density was given, or as
-/// listed in Scene::given.
+/// listed in Scene::given; each of the weight of the method, whatever regions make of them.
 std::uint64_t particle_count(const Scene& scene, const Species& species);
 /// Real particles per area or volume of a species (weight included).
 double number_density(const Scene& scene, const Species& species);
@@ -64,7 +66,10 @@ std::uint64_t poured_count(const Scene& scene);
 /// Simulated particles that come on top of those at the start: what sources pour, and what fills the box at the density of
 /// its inflows.
 std::uint64_t added_count(const Scene& scene);
-/// Simulated particles that an inflow lets in per time: the flux of its Maxwellian through the side.
+/// Least real particles per simulated one anywhere.
+double lightest_weight(const Scene& scene);
+/// Simulated particles, of the weight of the method, that an inflow lets in per time: the flux of its Maxwellian through the
+/// side.
 double inflow_rate(const Scene& scene, const Inflow& inflow);
 /// Of the particles that the inflows let in, the share that a gas beyond the open side, streaming as they do, would send in
 /// there: what an outflow to vacuum neglects.

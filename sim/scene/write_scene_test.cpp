@@ -77,13 +77,13 @@ TEST(WriteScene, TextsWithQuotesAndControlCharactersReadBackEqual) {
   expect_round_trip(scene);
 }
 
-/// Of a periodic domain, or those that need walls along z; those of mixtures with the walls.
+/// Of a periodic domain, or those that need walls along z; those of mixtures with the walls. Without that of regions.
 std::vector<Observe> every_observer(bool walled) {
   std::vector<Observe> list;
   for (const ObserverKind& kind : observer_kinds()) {
     const bool needs_walls = kind.needs == ObserverSetting::bounded ||
                              kind.needs == ObserverSetting::mixture || kind.name == "free-surface";
-    if (needs_walls != walled) continue;
+    if (needs_walls != walled || kind.needs == ObserverSetting::regions) continue;
     Observe& observe = list.emplace_back();
     observe.what = kind.name;
     if (observer_uses(kind.name, "axis")) observe.axis = 2;

@@ -63,6 +63,13 @@ void ParticleStore<D>::stay(std::span<const std::uint32_t> leaving) {
 }
 
 template <int D>
+void ParticleStore<D>::drop(std::span<const std::uint32_t> leaving) {
+  for (const std::uint32_t place : leaving) place_[place].cell = removed();
+  begin_step();
+  for (Place& place : place_) place.rank = arrivals()[place.cell]++;
+}
+
+template <int D>
 void ParticleStore<D>::find_cells() {
   begin_step();
   for (std::size_t i = 0; i < size(); ++i)

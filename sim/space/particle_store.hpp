@@ -50,6 +50,8 @@ class ParticleStore {
   std::uint32_t removed() const { return cells_.size(); }
   /// Instead of a motion: all particles keep their cells, but those at the places `leaving` are dropped by the sort.
   void stay(std::span<const std::uint32_t> leaving = {});
+  /// After the motion: those at the places `leaving` are dropped by the sort, whatever cells they arrive in.
+  void drop(std::span<const std::uint32_t> leaving);
   /// After the motion, where the cells have been displaced since: all but the removed are in those where they stand.
   void find_cells();
   /// Takes particles in at the coming sort, behind those that arrive in their cells, with new ids. Throws InputError when a

@@ -157,6 +157,39 @@ TEST(ParticleStoreNumber, WhoIsRemovedIsNotFoundAgain) {
       ASSERT_EQ(cells.cell_of(store.phases()[i].position), cell);
 }
 
+/// After a motion into new cells, as the sort would leave those who are not dropped.
+TEST(ParticleStoreNumber, DropsSomeOfThoseWhoMoved) {
+  const std::vector<std::uint32_t> leaving{3, 77, 12, 199};
+  ParticleStore<2> some = empty_store(), all = empty_store();
+  for (ParticleStore<2>* store : {&some, &all}) {
+    store->assign(particles_of(rows(0, 200), true));
+    for (Phase<2>& particle : store->phases()) particle.position[0] *= 0.5;
+    store->find_cells();
+  }
+  std::set<std::uint64_t> gone;
+  for (const std::uint32_t place : leaving) gone.insert(some.ids()[place]);
+  some.drop(leaving);
+  some.sort();
+  all.sort();
+  std::vector<Row> stayed = rows_of(all);
+  std::erase_if(stayed, [&gone](const Row& row) { return gone.contains(row.id); });
+  EXPECT_EQ(rows_of(some), stayed);
+  expect_offsets(some);
+}
+
+TEST(ParticleStoreNumber, PicksCopiesWithAllTheirColumns) {
+  ParticleStore<2> store = empty_store();
+  store.assign(particles_of(rows(0, 50), true));
+  const std::vector<std::uint32_t> places{7, 7, 30};
+  const std::vector<Row> before = rows_of(store);
+  ParticleStore<2> copies = empty_store();
+  copies.assign(pick<2>(store.phases(), store.columns(), places));
+  std::vector<Row> picked = rows_of(copies);
+  ASSERT_EQ(picked.size(), 3u);
+  for (const std::uint32_t place : places)
+    EXPECT_NE(std::ranges::find(picked, before[place]), picked.end()) << place;
+}
+
 TEST(ParticleStoreNumber, TheOrderOfTheRequestsDoesNotShow) {
   const std::vector<std::uint32_t> leaving{3, 77, 12, 3, 199};
   const auto came = particles_of(rows(500, 40), false);

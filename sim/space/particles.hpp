@@ -4,6 +4,8 @@
 #include "sim/base/particle_columns.hpp"
 #include "sim/space/phase.hpp"
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace sandglass {
@@ -14,6 +16,25 @@ struct Particles {
   std::vector<Phase<D>> phases;
   Columns columns;
 };
+
+/// Copies of the particles at these places, in their order; a place may come several times. `columns`: of ColumnView.
+template <int D, class List>
+Particles<D> pick(std::span<const Phase<D>> phases, const List& columns,
+                  std::span<const std::uint32_t> places) {
+  Particles<D> picked;
+  picked.phases.reserve(places.size());
+  for (const std::uint32_t place : places) picked.phases.push_back(phases[place]);
+  for (const ColumnView& column : columns) picked.columns.set(pick(column, places));
+  return picked;
+}
+
+/// The same out of particles outside a method.
+template <int D>
+Particles<D> pick(const Particles<D>& particles, std::span<const std::uint32_t> places) {
+  ColumnViews columns;
+  for (const NamedColumn& column : particles.columns.all()) columns.add(column.view());
+  return pick<D>(particles.phases, columns, places);
+}
 
 /// Where and when a particle comes in during a step.
 struct Arrival {

@@ -58,6 +58,7 @@ std::vector<CheckInfo> join_families() {
                              two_fluid_checks,
                              symmetry_checks,
                              stream_checks,
+                             cloning_checks,
                              channel_checks,
                              falling_stream_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));
@@ -127,6 +128,10 @@ bool speaks_for_itself(const CheckInfo& check) {
   return std::all_of(check.parameters.begin(), check.parameters.end(),
                      [](const law::Parameter& parameter) { return parameter.fallback.has_value(); });
 }
+
+bool fits_weights(const CheckInfo& check, const Scene& scene) {
+  return check.weighs || scene.regions.empty();
+}
 }  // namespace
 
 std::vector<const CheckInfo*> checks_for(const Record& record) {
@@ -134,7 +139,7 @@ std::vector<const CheckInfo*> checks_for(const Record& record) {
   std::vector<const CheckInfo*> fitting;
   for (const CheckInfo& check : all_checks()) {
     const auto measured = [&](const std::string& quantity) { return subject.has(quantity); };
-    if (speaks_for_itself(check) && check.applies(subject.scene()) &&
+    if (speaks_for_itself(check) && check.applies(subject.scene()) && fits_weights(check, subject.scene()) &&
         std::all_of(check.needs.begin(), check.needs.end(), measured))
       fitting.push_back(&check);
   }
@@ -143,6 +148,10 @@ std::vector<const CheckInfo*> checks_for(const Record& record) {
 
 Evidence run_check(const CheckInfo& check, const Record& record, const Settings& settings) {
   const Subject subject(record);
+  if (!fits_weights(check, subject.scene()))
+    throw InputError("the check '" + check.name +
+                     "' takes all particles for alike, and with a [[region]] each stands for another number "
+                     "of real ones; leave it out for such a scene");
   Evidence evidence = check.evaluate(subject, complete(check, settings.numbers));
   evidence.check = check.name;
   evidence.law = check.law;

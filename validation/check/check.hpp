@@ -28,6 +28,7 @@ struct CheckInfo {
   std::vector<law::Parameter> parameters;
   std::function<bool(const Scene&)> applies;  ///< whether the law holds for such a scene at all
   std::function<Evidence(const Subject&, const law::Arguments&)> evaluate;
+  bool weighs = false;  ///< reads what counts real particles, so that regions of other weights may be there
 };
 
 const std::vector<CheckInfo>& all_checks();

@@ -175,7 +175,8 @@ CheckInfo rest_check(std::string name, std::string summary, std::string law,
           {settle_time(), part("from", "part of the length after which the stream is at rest"),
            part("to", "part of the length up to which it is looked at")},
           is_falling_stream,
-          evaluate};
+          evaluate,
+          true};
 }
 
 CheckInfo place_check(std::string name, std::string summary, double (*place)(const StreamField&, Some)) {
@@ -190,7 +191,8 @@ CheckInfo place_check(std::string name, std::string summary, double (*place)(con
           is_falling_stream,
           [place](const Subject& subject, const law::Arguments& numbers) {
             return place_between(subject, numbers, place);
-          }};
+          },
+          true};
 }
 }  // namespace
 

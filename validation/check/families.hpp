@@ -51,6 +51,7 @@ std::vector<CheckInfo> repulsion_checks();
 std::vector<CheckInfo> two_fluid_checks();
 std::vector<CheckInfo> symmetry_checks();
 std::vector<CheckInfo> stream_checks();
+std::vector<CheckInfo> cloning_checks();
 std::vector<CheckInfo> channel_checks();
 std::vector<CheckInfo> falling_stream_checks();
 

@@ -24,6 +24,8 @@ Dsmc<D>::Dsmc(const LatticeOfCells<D>& cells, const Parameters& parameters,
       stages_(cells, this->periodic()) {
   if (parameters.count_by_species)
     tally_.by_species.resize(parameters.kinds.species.size() * parameters.kinds.species.size());
+  for (const double weight : parameters.weights) relative_weights_.push_back(weight / parameters.weight);
+  if (!parameters.weights.empty()) this->weigh_by_cell(parameters.weights, parameters.cloning);
   if (parameters.pair_count == PairCount::time_counter) clocks_.emplace(parameters.faults.clocks_forgotten);
   if (parameters.partners == Partners::contact)
     contact_ = std::make_unique<ContactPartners<D>>(parameters, cells.grid(), this->periodic());
@@ -86,7 +88,7 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
     collide_and_move(motion, collisions);
   }
   if (store_.cells().shifted_cells()) find_cells_of(step + 1);
-  this->end_step(dt);
+  this->end_step(dt, step);
 }
 
 template <int D>
@@ -96,12 +98,18 @@ void Dsmc<D>::find_cells_of(std::uint64_t next_step) {
 }
 
 template <int D>
+const double* Dsmc<D>::factor() const {
+  if (!relative_weights_.empty()) return relative_weights_.data();
+  return factor_ ? factor_->values() : nullptr;
+}
+
+template <int D>
 CollisionStep<D> Dsmc<D>::collision_step(double dt, const StreamKey& key) {
   const double coefficient =
       parameters_.weight * parameters_.cross_section * dt / (2 * store_.grid().cell_volume());
   return {key,
           coefficient,
-          factor_ ? factor_->values() : nullptr,
+          factor(),
           excluded_ ? excluded_->still() : nullptr,
           impact_coefficient(),
           store_.phases().data(),
@@ -205,7 +213,7 @@ template <int D>
 std::size_t Dsmc<D>::bytes() const {
   return CellSimulator<D>::bytes() + stages_.bytes() + (factor_ ? factor_->bytes() : 0) +
          (excluded_ ? excluded_->bytes() : 0) + (contact_ ? contact_->bytes() : 0) +
-         (clocks_ ? clocks_->bytes() : 0);
+         (clocks_ ? clocks_->bytes() : 0) + relative_weights_.capacity() * sizeof(double);
 }
 
 template class Dsmc<2>;

@@ -47,6 +47,7 @@ class Dsmc final : public CellSimulator<D> {
   void find_cells_of(std::uint64_t next_step);
   double impact_coefficient() const;
   const std::uint8_t* species();  ///< of each particle; null where there is one only
+  const double* factor() const;   ///< as of CollisionStep
   CollisionStep<D> collision_step(double dt, const StreamKey& key);
   void move(const motion::MotionStep& motion);
   /// Collides the cells and calls move(first cell, last cell) block by block.
@@ -62,7 +63,8 @@ class Dsmc final : public CellSimulator<D> {
   std::unique_ptr<ContactPartners<D>> contact_;  ///< instead of collisions_; null where partners share a cell
   std::optional<PairFactor<D>> factor_;
   std::optional<CellClocks> clocks_;
-  double assigned_ = 0;  ///< particles that the window of the pair factor was chosen for
+  std::vector<double> relative_weights_;  ///< of each cell over that of the method; empty: all 1
+  double assigned_ = 0;                   ///< particles that the window of the pair factor was chosen for
   CellStages<D> stages_;
   std::unique_ptr<ExcludedVolumeOfCells<D>> excluded_;  ///< null where particles are points
   std::uint64_t bound_raised_ = 0;

@@ -10,6 +10,7 @@
 #include "sim/method/dsmc/pair_deficit.hpp"
 #include "sim/method/dsmc/planted_faults.hpp"
 #include "sim/method/motion_from_scene.hpp"
+#include "sim/method/region_weights.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,10 @@ class Builder final : public MethodBuilder<D> {
         parameters_(parameters_of<D>(scene_)),
         cells_(cells_of<D>(scene_, default_particles_per_cell(D, parameters_, density()))),
         motion_(motion_of<D>(with_scene_fault(scene_, request.fault))) {
+    if (!scene_.regions.empty()) {
+      const RegionWeights<D> weights(scene_, cells_.grid());
+      parameters_.weights.assign(weights.of_cells().begin(), weights.of_cells().end());
+    }
     plant(planted_faults(), request.fault, parameters_, D);
     if (parameters_.partners == Partners::contact && parameters_.faults.any())
       throw InputError(
@@ -80,6 +85,7 @@ class Builder final : public MethodBuilder<D> {
     plan.columns = {"position", "velocity", "cell"};
     if (parameters_.kinds.mixed()) plan.columns.push_back("species");
     if (parameters_.kinds.rough) plan.columns.push_back("spin");
+    if (!parameters_.weights.empty()) plan.columns.push_back("weight");
     if (scene_.output.ids) plan.columns.push_back("id");
     plan.bytes_per_particle = bytes_per_particle(static_cast<double>(plan.particles));
     plan.feature("contact factor of the local density", parameters_.factor.formula != nullptr);
@@ -93,6 +99,7 @@ class Builder final : public MethodBuilder<D> {
     plan.feature("cells displaced at random", cells_.shifted_cells().has_value());
     plan.feature("cells that stand on a corner", cells_.diagonal_cells().has_value());
     plan.feature("fitted impact parameters", parameters_.impact.fitted());
+    plan.feature("regions of other weights", !parameters_.weights.empty());
     plan.feature("several species", parameters_.kinds.mixed());
     plan.feature("spins and rough contacts", parameters_.kinds.rough);
     plan.feature("walls with a rule", !motion_.walls.empty());
@@ -108,11 +115,12 @@ class Builder final : public MethodBuilder<D> {
   }
 
  private:
-  static std::vector<ColumnInfo> columns(const Kinds& kinds, bool ids) {
+  std::vector<ColumnInfo> columns(const Kinds& kinds, bool ids) const {
     std::vector<ColumnInfo> columns;
     if (ids) columns.push_back(column::id);
     if (kinds.mixed()) columns.push_back(column::species);
     if (kinds.rough) columns.push_back(column::spin<D>);
+    if (!parameters_.weights.empty()) columns.push_back(column::weight);
     return columns;
   }
 
@@ -139,10 +147,11 @@ class Builder final : public MethodBuilder<D> {
     const double per_cell = 8 + bytes_of_factor() + (parameters_.pair_count == PairCount::expected ? 44 : 0) +
                             (parameters_.pair_count == PairCount::time_counter ? 8 : 0) +
                             (parameters_.partners == Partners::contact ? 4 + sizeof(VelocityBox<D>) : 0) +
-                            (cells_.volumes().empty() ? 0 : 8 + 8);
+                            (cells_.volumes().empty() ? 0 : 8 + 8) +
+                            (parameters_.weights.empty() ? 0 : 8 + 8);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
            (parameters_.kinds.mixed() ? 2 : 0) + (parameters_.kinds.rough ? 2 * sizeof(Spin<D>) : 0) +
-           (parameters_.excluded_volume.any() ? 5 : 0) +
+           (parameters_.weights.empty() ? 0 : 16) + (parameters_.excluded_volume.any() ? 5 : 0) +
            (per_cell + (parameters_.excluded_volume.any() ? 26 + 8 * D : 0)) * cells_.size() / particles;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/method/cloner.hpp"
 #include "sim/method/dsmc/curve.hpp"
 #include "sim/observe/view.hpp"
 #include "sim/physics/contact.hpp"
@@ -92,8 +93,10 @@ struct Parameters {
   double diameter = 1;
   double mass = 1;
   double restitution = 1;
-  double cross_section = 2;  ///< of a pair; of several species: of the widest
-  double weight = 1;         ///< real particles per simulated one
+  double cross_section = 2;     ///< of a pair; of several species: of the widest
+  double weight = 1;            ///< real particles per simulated one
+  std::vector<double> weights;  ///< the same of each cell; empty: the same everywhere
+  CloningFaults cloning;
   LocalFactor factor;
   PairCount pair_count = PairCount::counted;
   Partners partners = Partners::cell;

@@ -95,6 +95,11 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](P p, int) { p.excluded_volume.entry = {}; }},
       {{"room-updated", "room of cells updated as particles arrive"},
        [](P p, int) { p.faults.room_updated = true; }},
+      {{"clones-keep-weight", "copies in a region of lower weight keep the weight of the particle"},
+       [](P p, int) { p.cloning.clones_keep_weight = true; }},
+      {{"survivors-keep-weight",
+        "who stays in a region of higher weight, where others are removed, keeps its weight"},
+       [](P p, int) { p.cloning.survivors_keep_weight = true; }},
       {{"impact-coefficient-ignored", "impact parameters uniform whatever was fitted"},
        [](P p, int) { p.impact.coefficient = {}; }},
   };

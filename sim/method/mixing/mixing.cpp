@@ -52,7 +52,7 @@ void Mixing::step(double dt, std::uint64_t step) {
   accelerate();
   move(step == 0 ? parameters_.faults.first_kick * dt : dt, dt, step);
   store_.find_cells();
-  end_step(dt);
+  end_step(dt, step);
 }
 
 double Mixing::mass(std::size_t particle, std::span<const std::uint8_t> species) const {

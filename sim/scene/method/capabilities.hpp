@@ -12,6 +12,7 @@ struct Capabilities {
   bool collisions = true;  ///< of particles with each other
   bool contacts = false;   ///< particles have a surface: none may overlap, and walls touch it, not the centre
   bool weights = false;    ///< a simulated particle may stand for more or fewer real ones
+  bool regions = false;    ///< another number of them in some regions
   bool species = false;    ///< more than one
   bool spins = false;      ///< rough contacts
   bool walls = true;       ///< sides that are not periodic, with the rules below

@@ -136,6 +136,7 @@ void check(const Scene& scene, Diagnostics& diagnostics) {
   check_time_counter(dsmc, diagnostics);
   check_partners(scene, dsmc, diagnostics);
   check_kinds(scene, dsmc, diagnostics);
+  check_regions_of_cells(scene, dsmc, diagnostics);
 }
 
 Preset preset(const char* name, const char* summary, ContactFactor factor, Offset offset,
@@ -185,6 +186,7 @@ MethodFamily make_family() {
   MethodFamily family;
   family.name = "dsmc";
   family.can.weights = true;
+  family.can.regions = true;
   family.can.species = true;
   family.can.spins = true;
   family.can.cells = true;

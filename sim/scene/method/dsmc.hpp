@@ -30,6 +30,9 @@ void check_kinds(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagn
 /// Reports what cannot go with partners at contact.
 void check_partners(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics);
 
+/// Reports what cannot go with regions of other weights.
+void check_regions_of_cells(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagnostics);
+
 /// Reports a curve whose places do not rise, or whose lists differ in length; true when it is sound.
 bool check_curve(const Curve& curve, const std::string& path, const std::string& places,
                  const std::string& values, Diagnostics& diagnostics);

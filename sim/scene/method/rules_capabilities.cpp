@@ -74,6 +74,7 @@ void check_boundaries(const Scene& scene, Refusals& refusals) {
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
     if (can_obstacle(refusals.can))
       check_surface(scene.obstacles[i].surface, item_path("obstacle", i), refusals);
+  refusals.unable(!scene.regions.empty(), "region", [](const Capabilities& can) { return can.regions; });
   refusals.unable(!scene.sources.empty(), "source", can_vary);
   refusals.unable(!scene.inflows.empty(), "inflow", can_vary);
   refusals.unable(!scene.gravity.empty(), "forces.gravity",
@@ -160,6 +161,10 @@ void check_capabilities(const Scene& scene, Diagnostics& diagnostics) {
   check_counts(scene, can.collisions,
                "counts collisions, and the method '" + scene.method.preset +
                    "' has no collisions to count: use a time or steps",
+               diagnostics);
+  check_counts(scene, scene.regions.empty(),
+               "counts collisions of particles alike, and with a [[region]] each stands for another number "
+               "of real ones: use a time or steps",
                diagnostics);
   if (scene.initial.equilibrate_collisions != 0)
     refusals.without(true, can.collisions, "initial.equilibrate-collisions-per-particle",

@@ -18,6 +18,7 @@ enum class ObserverSetting {
   periodic,   ///< a domain that is periodic along every axis
   bounded,    ///< an axis that is not periodic
   mixture,    ///< several species
+  regions,    ///< regions of other weights
   plane,      ///< no particles in a box, only those that pass a plane
 };
 

@@ -112,6 +112,8 @@ void check_setting(const ObserverKind& kind, const Scene& scene, const std::stri
     refuse("rough contacts: give 'tangential-restitution' above -1 to a species, wall or obstacle");
   if (kind.needs == ObserverSetting::mixture && diagnostics.clean("species") && scene.species.size() < 2)
     refuse("several species: give a second table [[species]]");
+  if (kind.needs == ObserverSetting::regions && diagnostics.clean("region") && scene.regions.empty())
+    refuse("regions of other weights: give a table [[region]]");
   const auto walled = [](const auto& sides) { return sides[0] != Side::periodic; };
   if (!diagnostics.clean("domain.sides")) return;
   const bool bounded = std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(), walled);
