@@ -22,6 +22,7 @@ enum class Purpose : std::uint64_t {
   lattice = 11,       ///< index: 0; where the cells of a step are displaced to
   inflow = 12,        ///< step: inflow, index: its particle; where, when and how it enters
   arrivals = 13,      ///< index: inflow; how many enter in a step
+  places = 14,        ///< step: who comes in, index: its waits; another place where the first is taken
 };
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.

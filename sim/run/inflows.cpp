@@ -33,7 +33,7 @@ Spin<D> draw_spin(double width, Random& random) {
 
 template <int D>
 Inflows<D>::Inflows(const Setup<D>& setup, const Streams& streams)
-    : setup_(setup), streams_(streams), entered_(setup.inflows.size()) {
+    : setup_(setup), streams_(streams), room_(setup.scene), entered_(setup.inflows.size()) {
   for (const Inflow& inflow : setup.inflows) rate_.push_back(inflow_rate(setup.scene, inflow));
 }
 
@@ -71,7 +71,10 @@ void Inflows<D>::draw(std::size_t index, double count, double dt, Entrants<D>& e
   const SpeciesTraits kind = traits_of(setup_.scene)[inflow.species];
   const double thermal = std::sqrt(inflow.temperature / kind.mass);
   const double spin = std::sqrt(inflow.spin_temperature / kind.inertia);
-  const Vector<D> box = vector_of<D>(setup_.scene.domain.size), stream = vector_of<D>(inflow.velocity);
+  const Vector<D> stream = vector_of<D>(inflow.velocity);
+  Vector<D> low;
+  for (int axis = 0; axis < D; ++axis) low[axis] = room_.margin(axis, kind.diameter / 2);
+  const Vector<D> width = room_.box - 2 * low;
   const double inward = inflow.high ? -1 : 1;
   const StreamFlux<D> flux(stream, thermal, inflow.axis, inward);
   const StreamKey key(streams_.seed, Purpose::inflow, streams_.replica, index);
@@ -79,8 +82,8 @@ void Inflows<D>::draw(std::size_t index, double count, double dt, Entrants<D>& e
   for (std::uint64_t n = first; n < first + static_cast<std::uint64_t>(count); ++n) {
     Random random(key, n);
     Phase<D> particle;
-    for (int axis = 0; axis < D; ++axis) particle.position[axis] = box[axis] * random.uniform();
-    particle.position[inflow.axis] = inflow.high ? box[inflow.axis] : 0;
+    for (int axis = 0; axis < D; ++axis) particle.position[axis] = low[axis] + width[axis] * random.uniform();
+    particle.position[inflow.axis] = inflow.high ? room_.box[inflow.axis] : 0;
     entrants.arrivals.push_back({inflow.axis, inflow.high, dt * (1 - random.uniform())});
     particle.velocity = flux(random);
     if (inflow.fault == InflowFault::maxwellian)
@@ -100,7 +103,7 @@ std::map<std::string, double> Inflows<D>::counters() const {
   for (std::size_t i = 0; i < entered_.size(); ++i) {
     const Inflow& inflow = setup_.inflows[i];
     counters["particles-entered"] += entered_[i];
-    counters["particles-entered-" + axis_name(inflow.axis) + (inflow.high ? "-high" : "-low")] += entered_[i];
+    counters["particles-entered-" + side_name(inflow.axis, inflow.high)] += entered_[i];
   }
   return counters;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/run/placement_room.hpp"
 #include "sim/run/schedule.hpp"
 #include "sim/run/setup.hpp"
 
@@ -31,6 +32,7 @@ class Inflows {
 
   const Setup<D>& setup_;
   Streams streams_;
+  Room<D> room_;
   std::vector<double> rate_, entered_;  ///< of each inflow
 };
 

@@ -32,7 +32,7 @@ double expected_at_end(const Subject& subject, std::size_t replica) {
   const auto& counters = subject.record().replicas[replica].counters;
   const auto count = [&](const char* name) { return counters.contains(name) ? counters.at(name) : 0; };
   return static_cast<double>(particle_count(subject.scene())) + count("particles-entered") +
-         count("particles-poured") - count("particles-left");
+         count("particles-poured") - count("particles-left") - count("particles-waiting");
 }
 
 Evidence particle_balance(const Subject& subject, const law::Arguments&) {

@@ -12,10 +12,11 @@ namespace sandglass::event_driven {
 
 namespace {
 
-/// Walls and obstacles at rest, smooth and elastic, no gravity and no guard.
+/// Walls and obstacles at rest, smooth and elastic, closed sides, no gravity and no guard.
 Scene elastic_scene(const Scene& scene) {
   Scene elastic = scene;
   elastic.walls.clear();
+  for (auto& sides : elastic.domain.sides) std::ranges::replace(sides, Side::open, Side::specular);
   for (Obstacle& obstacle : elastic.obstacles) obstacle.surface = {};
   elastic.method.options = EventDrivenOptions{};
   return elastic;
@@ -40,6 +41,7 @@ class Builder final : public MethodBuilder<D> {
                                       const Attachments<D>& attachments) const override {
     Parameters<D> parameters = parameters_;
     parameters.planes = attachments.planes;
+    parameters.impulses = attachments.impulses;
     return make_event_driven<D>(
         parameters, agents_of(faulty_scene_, parameters_, attachments.planes, attachments.impulses), streams,
         attachments.trace);
@@ -122,7 +124,8 @@ std::unique_ptr<MethodBuilder<D>> make_builder(const BuildRequest& request) {
 }  // namespace
 
 const FamilyBuilder& family() {
-  static const FamilyBuilder all{"event-driven", names_of_faults(planted_faults(), boundary_faults()),
+  static const FamilyBuilder all{"event-driven",
+                                 names_of_faults(planted_faults(), boundary_faults(), exchange_faults()),
                                  make_builder<2>, make_builder<3>};
   return all;
 }

@@ -7,6 +7,7 @@ struct Faults {
   double momentum_leak = 0;     ///< the second partner's kick is this part short
   bool stale_partner = false;   ///< a predicted contact is carried out whatever its partner did meanwhile
   bool blind_crossing = false;  ///< who enters a cell does not look ahead
+  bool lost_newcomers = false;  ///< one in twenty of those who come in is not there
 
   bool any() const { return momentum_leak != 0 || stale_partner || blind_crossing; }
 };

@@ -1,6 +1,7 @@
 #include "sim/method/event_driven/from_scene.hpp"
 
 #include "sim/method/event_driven/obstacle_agent.hpp"
+#include "sim/method/event_driven/open_side_agent.hpp"
 #include "sim/method/event_driven/plane_agent.hpp"
 #include "sim/method/event_driven/wall_agent.hpp"
 #include "sim/method/from_scene.hpp"
@@ -10,9 +11,13 @@ namespace sandglass::event_driven {
 namespace {
 
 template <int D>
-std::unique_ptr<Agent<D>> make_wall(const Scene& scene, const Wall& wall, const Parameters<D>& parameters,
+std::unique_ptr<Agent<D>> make_side(const Scene& scene, int axis, bool high, const Parameters<D>& parameters,
                                     WallImpulses<D>* impulses) {
-  const double edge = wall.high ? scene.domain.size[static_cast<std::size_t>(wall.axis)] : 0;
+  const auto index = static_cast<std::size_t>(axis);
+  const double edge = high ? scene.domain.size[index] : 0;
+  if (scene.domain.sides[index][high ? 1 : 0] == Side::open)
+    return std::make_unique<OpenSideAgent<D>>(SidePlace{axis, high, edge}, parameters.gravity, impulses);
+  const Wall wall = wall_of(scene, axis, high);
   const WallPlace<D> place{wall.axis,
                            wall.high,
                            edge,
@@ -36,7 +41,7 @@ Parameters<D> parameters_of(const Scene& scene) {
   parameters.contact_time = guard_of(scene.method).contact_time;
   parameters.gravity = vector_of<D>(scene.gravity);
   parameters.keep_ids = scene.output.ids || scene.output.event_trace.has_value();
-  parameters.particles = particle_count(scene);
+  parameters.particles = particle_count(scene) + added_count(scene);
   parameters.obstacles = scene.obstacles.size();
   return parameters;
 }
@@ -48,7 +53,7 @@ Agents<D> agents_of(const Scene& scene, const Parameters<D>& parameters, std::ve
   for (int axis = 0; axis < D; ++axis)
     if (!parameters.geometry.periodic[static_cast<std::size_t>(axis)])
       for (const bool high : {false, true})
-        agents.push_back(make_wall<D>(scene, wall_of(scene, axis, high), parameters, impulses));
+        agents.push_back(make_side<D>(scene, axis, high, parameters, impulses));
   for (const Obstacle& obstacle : scene.obstacles)
     agents.push_back(std::make_unique<ObstacleAgent<D>>(
         vector_of<D>(obstacle.centre), obstacle.radius, wall_rule_of(scene, obstacle.surface),

@@ -9,7 +9,7 @@ namespace sandglass::event_driven {
 template <int D>
 Parameters<D> parameters_of(const Scene& scene);
 
-/// Walls, obstacles and the planes that count, in this order. `planes` and `impulses` must outlive them; null: none count.
+/// Sides of the box, obstacles and the planes that count, in this order. `planes` and `impulses` must outlive them; null: none count.
 template <int D>
 Agents<D> agents_of(const Scene& scene, const Parameters<D>& parameters, std::vector<Plane>* planes,
                     WallImpulses<D>* impulses);

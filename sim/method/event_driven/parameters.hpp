@@ -26,6 +26,7 @@ struct Parameters {
   std::uint64_t particles = 0;           ///< how many there will be, for the size of the cells
   std::uint64_t obstacles = 0;           ///< likewise
   std::vector<Plane>* planes = nullptr;  ///< those that agents count for
+  WallImpulses<D>* impulses = nullptr;   ///< takes what comes in by the sides
   Faults faults;
 
   const Surface& surface(std::size_t a, std::size_t b) const { return surfaces[a * species.size() + b]; }

@@ -36,6 +36,8 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](auto& p) { p.faults.stale_partner = true; }},
       {{"blind-crossings", "who enters a cell does not see who is ahead"},
        [](auto& p) { p.faults.blind_crossing = true; }},
+      {{"newcomers-lost", "one in twenty of those who come in by an inflow is lost"},
+       [](auto& p) { p.faults.lost_newcomers = true; }},
       {{"guard-dropped", "no collapse guard"},
        [](auto& p) {
          p.contact_time = 0;
