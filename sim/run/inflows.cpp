@@ -41,6 +41,7 @@ template <int D>
 void Inflows<D>::enter(Simulator<D>& simulator, const Clock& clock, double dt, double end) {
   Entrants<D> entrants;
   for (std::size_t i = 0; i < rate_.size(); ++i) {
+    if (setup_.inflows[i].entry != InflowEntry::flux) continue;
     const double count = due(i, clock, dt, end);
     if (!(count > 0)) continue;
     if (count > kMostInAStep)
@@ -102,6 +103,7 @@ std::map<std::string, double> Inflows<D>::counters() const {
   std::map<std::string, double> counters;
   for (std::size_t i = 0; i < entered_.size(); ++i) {
     const Inflow& inflow = setup_.inflows[i];
+    if (inflow.entry != InflowEntry::flux) continue;
     counters["particles-entered"] += entered_[i];
     counters["particles-entered-" + side_name(inflow.axis, inflow.high)] += entered_[i];
   }

@@ -9,7 +9,7 @@
 
 namespace sandglass {
 
-/// The inflows of a scene at work: each sends in what the Maxwellian of its stream sends through the side, at times that
+/// The inflows of a scene at work, those by flux: each sends in what the Maxwellian of its stream sends through the side, at times that
 /// are uniform within the step. The n-th particle of an inflow draws place, time, velocity and spin from a stream of its
 /// own.
 template <int D>

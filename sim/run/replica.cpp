@@ -140,7 +140,8 @@ std::map<std::string, double> ReplicaRun<D>::counters() {
   const Tally& tally = simulator_->tally();
   std::map<std::string, double> counters = simulator_->counters();
   if (sources_) counters.merge(sources_->counters());
-  if (inflows_) counters.merge(inflows_->counters());
+  if (inflows_)
+    for (const auto& [name, count] : inflows_->counters()) counters[name] += count;
   counters["steps"] = static_cast<double>(clock_.step);
   counters["collisions"] = static_cast<double>(tally.collisions);
   counters["candidates"] = static_cast<double>(tally.candidates);

@@ -373,6 +373,18 @@ Scene passing_stream(const std::string& preset) {
   return scene;
 }
 
+/// A dispenser and an end that turns some back.
+Scene dispensed_stream() {
+  Scene scene = passing_stream("event-driven");
+  scene.inflows[0].entry = InflowEntry::dispenser;
+  scene.inflows[0].number_density = 0.4;
+  scene.outflows.emplace_back();
+  scene.outflows[0].high = true;
+  scene.outflows[0].velocity = {0.5, 0};
+  scene.outflows[0].temperature = 1;
+  return scene;
+}
+
 double change_of_energy(const Scene& scene, const std::string& fault) {
   RunOptions options;
   options.planted_fault = fault;
@@ -406,7 +418,7 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   for (const Scene& scene :
        {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam("dsmc"),
         beam("event-driven"), crowd(), falling_entry(), at_contact(), rough_mixture(), dense_mixture(),
-        passing_stream("dsmc"), passing_stream("event-driven")})
+        passing_stream("dsmc"), passing_stream("event-driven"), dispensed_stream()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))

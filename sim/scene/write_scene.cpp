@@ -97,6 +97,7 @@ std::string write_scene(const Scene& scene) {
   for (const Obstacle& obstacle : scene.obstacles) write_obstacle(lines, obstacle);
   for (const Source& source : scene.sources) write_source(lines, source);
   for (const Inflow& inflow : scene.inflows) write_inflow(lines, inflow, scene);
+  for (const Outflow& outflow : scene.outflows) write_outflow(lines, outflow);
   write_method(lines, scene);
   if (!scene.gravity.empty()) {
     lines.header("[forces]");

@@ -58,6 +58,7 @@ std::vector<CheckInfo> join_families() {
                              two_fluid_checks,
                              symmetry_checks,
                              stream_checks,
+                             open_stream_checks,
                              channel_checks,
                              falling_stream_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));

@@ -36,6 +36,8 @@ class ParticleAccess {
   virtual ParticleState<D> state(std::uint32_t particle) const = 0;
   /// Gives a particle another velocity, here and now.
   virtual void set_velocity(std::uint32_t particle, const Vector<D>& velocity) = 0;
+  /// The same, and another species.
+  virtual void convert(std::uint32_t particle, std::size_t species, const Vector<D>& velocity) = 0;
   /// Whether a particle of this species would overlap no other one there.
   virtual bool has_room(const Vector<D>& position, std::size_t species) = 0;
   /// Lets a particle in, where there is room.
@@ -43,8 +45,9 @@ class ParticleAccess {
   virtual void remove(std::uint32_t particle) = 0;
 };
 
-/// What an agent has made of the particle that came: nothing, another flight, or it has left for good.
-enum class Outcome { unchanged, changed, gone };
+/// What an agent has made of the particle that came: nothing, another flight, that and another species, or it has left for
+/// good.
+enum class Outcome { unchanged, changed, converted, gone };
 
 /// Anything that makes events beside the particles themselves: walls, obstacles, open sides, planes that count, timers;
 /// thermostats and dispensers to come. Times are those of the run.

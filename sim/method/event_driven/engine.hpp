@@ -70,6 +70,7 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   }
   std::uint32_t numbers() const override { return gas_.size(); }
   bool is_here(std::uint32_t particle) const override { return gas_.is_here(particle); }
+  void convert(std::uint32_t particle, std::size_t species, const Vector<D>& velocity) override;
   void insert(const Newcomer<D>& newcomer) override;
   void remove(std::uint32_t particle) override;
   ParticleState<D> state(std::uint32_t particle) const override { return state_at(particle, progress_.now); }

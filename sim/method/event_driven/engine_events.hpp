@@ -103,7 +103,8 @@ void Engine<C>::collide(std::uint32_t i, std::uint32_t j) {
   tally_.deepest_overlap = std::max(tally_.deepest_overlap, overlap);
   if (parameters_.impact_bins > 0) count_impact(normal, first.velocity - second.velocity);
   const Vector<D> before = second.velocity;
-  const Impact<D> impact = rule_.apply(gas_, i, j, normal, now, progress_.counts.guarded);
+  const Impact<D> impact =
+      conduct_.template collide<D>(rule_, gas_, i, j, normal, now, progress_.counts.guarded);
   conduct_.template finish_collision<D>(before, second.velocity);
   make_receding(normal, first.velocity, second.velocity);
   if (stall_.contact(now, impact.approach)) refuse_collapse(i, j);
@@ -142,6 +143,8 @@ void Engine<C>::collide_with_agent(std::uint32_t particle, std::uint32_t agent) 
     if (stall_.contact(now, (present.velocity - before).norm())) refuse_collapse(particle, particle);
   } else if (outcome == Outcome::gone) {
     return let_go(particle, agent);
+  } else if (outcome == Outcome::converted) {
+    gas_.species[particle] = static_cast<std::uint8_t>(present.species);
   }
   Particle<D>& moved = gas_.particles[particle];
   moved.position = present.position;

@@ -23,6 +23,12 @@ bool Engine<C>::has_room(const Vector<D>& position, std::size_t species) {
 }
 
 template <class C>
+void Engine<C>::convert(std::uint32_t particle, std::size_t species, const Vector<D>& velocity) {
+  gas_.species[particle] = static_cast<std::uint8_t>(species);
+  set_velocity(particle, velocity);
+}
+
+template <class C>
 void Engine<C>::insert(const Newcomer<D>& newcomer) {
   check_codes(gas_.size() + std::uint64_t{1}, agents_.size());
   const std::uint32_t particle = gas_.size();

@@ -14,7 +14,7 @@ template <class C>
 Engine<C>::Engine(const Parameters<D>& parameters, Agents<D> agents, const Streams& streams,
                   EventSink<D>* trace)
     : parameters_(parameters),
-      conduct_(parameters.faults),
+      conduct_(parameters_),
       flight_(parameters.gravity),
       cells_(parameters.geometry, parameters.cell_edge()),
       search_(parameters, flight_),
@@ -140,8 +140,8 @@ auto Engine<C>::view() -> View<D> {
   View<D> view = present_.view();
   if (parameters_.keep_ids) view.columns.add(column::id, present_.ids(gas_));
   view.columns.add(column::spin<D>, present_.spins(gas_));
-  if (parameters_.species.size() > 1) view.columns.add(column::species, present_.species(gas_));
-  view.traits = parameters_.species;
+  if (parameters_.own_species() > 1) view.columns.add(column::species, present_.species(gas_));
+  view.traits = std::span(parameters_.species).first(parameters_.own_species());
   view.tally = &tally_;
   view.planes = parameters_.planes;
   return view;

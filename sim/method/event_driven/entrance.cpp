@@ -1,7 +1,7 @@
 #include "sim/method/event_driven/entrance.hpp"
 
 #include "sim/base/error.hpp"
-#include "sim/physics/wall.hpp"
+#include "sim/method/event_driven/books.hpp"
 
 #include <algorithm>
 
@@ -71,18 +71,12 @@ bool Entrance<D>::find_place(ParticleAccess<D>& particles, Visitor& visitor) {
   return false;
 }
 
-/// What comes in takes from the side what going out gives it.
 template <int D>
 void Entrance<D>::let_in(ParticleAccess<D>& particles, const Visitor& visitor) {
-  Newcomer<D> newcomer = visitor.newcomer;
-  const SpeciesTraits& traits = species_[newcomer.species];
-  if (impulses_ != nullptr)
-    impulses_->add(WallImpulses<D>::side(visitor.axis, visitor.high), -traits.mass * newcomer.velocity,
-                   Vector<D>::Zero(),
-                   -energy_beside<D>(Vector<D>::Zero(), {newcomer.velocity, &newcomer.spin, traits.mass,
-                                                         traits.diameter / 2, traits.inertia}));
+  note_newcomer(impulses_, WallImpulses<D>::side(visitor.axis, visitor.high),
+                species_[visitor.newcomer.species], visitor.newcomer);
   if (loses_some_ && visitor.number % kLostOne == 0) return;
-  particles.insert(newcomer);
+  particles.insert(visitor.newcomer);
 }
 
 template <int D>

@@ -23,8 +23,8 @@ template <int D>
 Outcome OpenSideAgent<D>::act(ParticleState<D>& particle, double, Random&) {
   ++left_;
   if (impulses_ != nullptr)
-    impulses_->add(WallImpulses<D>::side(place_.axis, place_.high), particle.mass * particle.velocity,
-                   Vector<D>::Zero(), energy_beside<D>(Vector<D>::Zero(), at_wall(particle)));
+    impulses_->add(place_.number(), particle.mass * particle.velocity, Vector<D>::Zero(),
+                   energy_beside<D>(Vector<D>::Zero(), at_wall(particle)));
   return Outcome::gone;
 }
 

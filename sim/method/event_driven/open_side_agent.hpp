@@ -10,6 +10,9 @@ struct SidePlace {
   int axis = 0;
   bool high = false;
   double edge = 0;
+
+  /// Of the side in the books.
+  std::size_t number() const { return 2 * static_cast<std::size_t>(axis) + high; }
 };
 
 /// A side by which particles leave for good, each when its centre passes.

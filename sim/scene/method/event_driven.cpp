@@ -97,6 +97,7 @@ MethodFamily make_family() {
   family.can.obstacles = true;
   family.can.event_trace = true;
   family.can.varying_number = true;
+  family.can.outflows = true;
   family.presets = {{{"event-driven", "exact event-driven hard disks and spheres"}, EventDrivenOptions{}}};
   family.keys = {"collapse-guard", "contact-time", "reference-speed"};
   family.refused = {{{"contact-factor", "density", "offset", "random-offset", "pair-count"},

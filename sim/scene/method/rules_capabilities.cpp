@@ -76,6 +76,9 @@ void check_boundaries(const Scene& scene, Refusals& refusals) {
       check_surface(scene.obstacles[i].surface, item_path("obstacle", i), refusals);
   refusals.unable(!scene.sources.empty(), "source", can_vary);
   refusals.unable(!scene.inflows.empty(), "inflow", can_vary);
+  refusals.unable(
+      !scene.outflows.empty(), "outflow", [](const Capabilities& can) { return can.outflows; },
+      "an [[inflow]] at that side with the velocity of the stream sends back as many on average");
   refusals.unable(!scene.gravity.empty(), "forces.gravity",
                   [](const Capabilities& can) { return can.gravity; });
 }
