@@ -37,7 +37,7 @@ std::unique_ptr<Agent<D>> make_open_side(const Scene& scene, const SidePlace& pl
   if (outflow == nullptr || outflow->filter)
     return std::make_unique<OpenSideAgent<D>>(place, parameters.gravity, impulses);
   return std::make_unique<OutflowAgent<D>>(place, backflow_of(*outflow, parameters), parameters.gravity,
-                                          impulses);
+                                           impulses);
 }
 
 template <int D>

@@ -11,7 +11,7 @@ template <int D>
 class OutflowAgent final : public Agent<D> {
  public:
   OutflowAgent(const SidePlace& place, const Backflow<D>& backflow, const Vector<D>& gravity,
-              WallImpulses<D>* impulses = nullptr)
+               WallImpulses<D>* impulses = nullptr)
       : place_(place), side_(place, gravity, impulses), backflow_(backflow), impulses_(impulses) {}
 
   Box<D> reach() const override { return side_.reach(); }

@@ -124,7 +124,7 @@ struct Stream {
     } else {
       add([this, box, out] {
         return std::make_unique<OutflowAgent<2>>(SidePlace{0, true, box[0]},
-                                                Backflow<2>(out, gas.parameters.species), zero(), &sides);
+                                                 Backflow<2>(out, gas.parameters.species), zero(), &sides);
       });
     }
     add([this, rule] {
