@@ -24,6 +24,7 @@ enum class Purpose : std::uint64_t {
   arrivals = 13,      ///< index: inflow; how many enter in a step
   cloning =
       14,  ///< index: (cell, place) before the step; copies of who crosses into a region of another weight
+  places = 15,  ///< step: who comes in, index: its waits; another place where the first is taken
 };
 
 /// What all streams of one purpose share in one step. Philox4x64-10 (Salmon et al. 2011) mixes the four names.

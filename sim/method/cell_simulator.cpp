@@ -99,7 +99,7 @@ std::map<std::string, double> CellSimulator<D>::counters() const {
       if (!motion_parameters_.open[axis][high]) continue;
       const auto left = static_cast<double>(left_[axis][high]);
       counters["particles-left"] += left;
-      counters["particles-left-" + axis_name(static_cast<int>(axis)) + (high ? "-high" : "-low")] = left;
+      counters["particles-left-" + side_name(static_cast<int>(axis), high)] = left;
     }
   return counters;
 }

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::cloner_test {
 namespace {
 
 using Sums = CloningSums<2>;
@@ -158,4 +158,4 @@ TEST(Cloner, FaultsShowInTheSums) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::cloner_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::region_weights_test {
 namespace {
 
 /// Cells of 1 x 0.5; the plain weight is 2.
@@ -39,4 +39,4 @@ TEST(RegionWeights, HaveMeans) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::region_weights_test

@@ -23,6 +23,8 @@ class Simulator {
   virtual std::span<const std::uint64_t> ids() const = 0;
   /// Particles that it holds now.
   virtual std::uint64_t size() const = 0;
+  /// Whether a particle of this species would overlap no other one there, as those without a surface never do.
+  virtual bool has_room(const Vector<D>&, std::size_t) { return true; }
   /// Adds particles between two steps, with new ids; columns that are not given get their initial value.
   virtual void insert(const Particles<D>&) { refuse_other_number("insert"); }
   /// Takes in, during the coming step, particles that fly by themselves for what is left of it. Called before step(), with

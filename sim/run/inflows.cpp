@@ -33,7 +33,7 @@ Spin<D> draw_spin(double width, Random& random) {
 
 template <int D>
 Inflows<D>::Inflows(const Setup<D>& setup, const Streams& streams)
-    : setup_(setup), streams_(streams), entered_(setup.inflows.size()) {
+    : setup_(setup), streams_(streams), room_(setup.scene), entered_(setup.inflows.size()) {
   for (const Inflow& inflow : setup.inflows) {
     const double rate = inflow_rate(setup.scene, inflow);
     if (setup.weights) sides_.push_back(setup.weights->along(inflow.axis, inflow.high));
@@ -45,6 +45,7 @@ template <int D>
 void Inflows<D>::enter(Simulator<D>& simulator, const Clock& clock, double dt, double end) {
   Entrants<D> entrants;
   for (std::size_t i = 0; i < rate_.size(); ++i) {
+    if (setup_.inflows[i].entry != InflowEntry::flux) continue;
     const double count = due(i, clock, dt, end);
     if (!(count > 0)) continue;
     if (count > kMostInAStep)
@@ -75,7 +76,10 @@ void Inflows<D>::draw(std::size_t index, double count, double dt, Entrants<D>& e
   const SpeciesTraits kind = traits_of(setup_.scene)[inflow.species];
   const double thermal = std::sqrt(inflow.temperature / kind.mass);
   const double spin = std::sqrt(inflow.spin_temperature / kind.inertia);
-  const Vector<D> box = vector_of<D>(setup_.scene.domain.size), stream = vector_of<D>(inflow.velocity);
+  const Vector<D> stream = vector_of<D>(inflow.velocity);
+  Vector<D> low;
+  for (int axis = 0; axis < D; ++axis) low[axis] = room_.margin(axis, kind.diameter / 2);
+  const Vector<D> width = room_.box - 2 * low;
   const double inward = inflow.high ? -1 : 1;
   const StreamFlux<D> flux(stream, thermal, inflow.axis, inward);
   const StreamKey key(streams_.seed, Purpose::inflow, streams_.replica, index);
@@ -84,8 +88,9 @@ void Inflows<D>::draw(std::size_t index, double count, double dt, Entrants<D>& e
     Random random(key, n);
     Phase<D> particle;
     const auto draw_place = [&] {
-      for (int axis = 0; axis < D; ++axis) particle.position[axis] = box[axis] * random.uniform();
-      particle.position[inflow.axis] = inflow.high ? box[inflow.axis] : 0;
+      for (int axis = 0; axis < D; ++axis)
+        particle.position[axis] = low[axis] + width[axis] * random.uniform();
+      particle.position[inflow.axis] = inflow.high ? room_.box[inflow.axis] : 0;
     };
     draw_place();
     if (setup_.weights) {
@@ -114,8 +119,9 @@ std::map<std::string, double> Inflows<D>::counters() const {
   std::map<std::string, double> counters;
   for (std::size_t i = 0; i < entered_.size(); ++i) {
     const Inflow& inflow = setup_.inflows[i];
+    if (inflow.entry != InflowEntry::flux) continue;
     counters["particles-entered"] += entered_[i];
-    counters["particles-entered-" + axis_name(inflow.axis) + (inflow.high ? "-high" : "-low")] += entered_[i];
+    counters["particles-entered-" + side_name(inflow.axis, inflow.high)] += entered_[i];
   }
   return counters;
 }

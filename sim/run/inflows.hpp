@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/run/placement_room.hpp"
 #include "sim/run/schedule.hpp"
 #include "sim/run/setup.hpp"
 
@@ -8,7 +9,7 @@
 
 namespace sandglass {
 
-/// The inflows of a scene at work: each sends in what the Maxwellian of its stream sends through the side, at times that
+/// The inflows of a scene at work, those by flux: each sends in what the Maxwellian of its stream sends through the side, at times that
 /// are uniform within the step. The n-th particle of an inflow draws place, time, velocity and spin from a stream of its
 /// own. Where regions have weights of their own, so have those who come in there.
 template <int D>
@@ -31,6 +32,7 @@ class Inflows {
 
   const Setup<D>& setup_;
   Streams streams_;
+  Room<D> room_;
   std::vector<double> rate_, entered_;                  ///< of each inflow
   std::vector<typename RegionWeights<D>::Side> sides_;  ///< the same; without regions none
 };

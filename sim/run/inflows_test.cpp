@@ -210,11 +210,25 @@ every = { steps = 10 }
 checkpoint = { steps = 70 }
 )";
 
-TEST(Inflows, GoOnBitwiseFromACheckpoint) {
-  const Scene scene = read_scene_text(kMeeting, "meeting.toml");
+/// The same as hard spheres.
+std::string hard_meeting() {
+  return edited(edited(kMeeting, "preset = \"dsmc\"\ncells = [16, 8, 1]", "preset = \"event-driven\""),
+                "[forces]", "[initial]\npositions = \"random-without-overlap\"\n[forces]");
+}
+
+class Meeting : public testing::TestWithParam<bool> {
+ protected:
+  std::string text() const { return GetParam() ? hard_meeting() : kMeeting; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Inflows, Meeting, testing::Bool(),
+                         [](const auto& use) { return std::string(use.param ? "Hard" : "Dsmc"); });
+
+TEST_P(Meeting, GoesOnBitwiseFromACheckpoint) {
+  const Scene scene = read_scene_text(text(), "meeting.toml");
   const Record whole = run_scene(scene);
   RunOptions options;
-  options.checkpoint_path = testing::TempDir() + "inflows_test.checkpoint.h5";
+  options.checkpoint_path = testing::TempDir() + (GetParam() ? "inflows_test.hard.h5" : "inflows_test.h5");
   run_scene(scene, options);
   const Record resumed = resume(read_record(options.checkpoint_path));
   EXPECT_EQ(resumed.replicas[0].counters, whole.replicas[0].counters);
@@ -226,16 +240,17 @@ TEST(Inflows, GoOnBitwiseFromACheckpoint) {
 }
 
 /// Whoever came in or was there is inside or has left.
-TEST(Inflows, LoseNobody) {
-  const Record record = run_text(kMeeting);
+TEST_P(Meeting, LosesNobody) {
+  const Record record = run_text(text());
   const double density = record.replicas[0].series[0].value[5 * 12];  // the last of thirteen samples
-  EXPECT_NEAR(32 * density, 400 + counted(record, "particles-entered") - counted(record, "particles-left"),
-              1e-9);
+  const double waiting = GetParam() ? counted(record, "particles-waiting") : 0;
+  EXPECT_NEAR(32 * density,
+              400 + counted(record, "particles-entered") - counted(record, "particles-left") - waiting, 1e-9);
 }
 
 /// The momentum along x changes by what passes the sides and by what the walls drag, and by nothing else.
-TEST(Inflows, SidesAccountForTheMomentum) {
-  const Record record = run_text(kMeeting);
+TEST_P(Meeting, SidesAccountForTheMomentum) {
+  const Record record = run_text(text());
   const auto series = [&](const std::string& name) -> const Series& {
     return *std::ranges::find(record.replicas[0].series, name,
                               [](const Series& each) { return each.quantity.name; });
@@ -264,6 +279,20 @@ TEST(Inflows, WorkWithEveryWayToCollide) {
         << preset;
     EXPECT_GT(counted(record, "collisions"), 1000) << preset;
   }
+}
+
+/// Dilute disks with a surface: the box is filled as their gas would fill it. Contacts make it denser by no more than the
+/// fraction that the disks cover, 0.16%.
+TEST(Inflows, FillTheBoxWithHardParticlesToo) {
+  const Record record =
+      run_text(edited(edited(kStream, "collisionless", "event-driven"), "time = 40.0", "time = 120.0"));
+  std::vector<double> density;
+  const Series& fields = record.replicas[0].series[0];
+  for (std::size_t sample = 600; sample < fields.samples(); ++sample)
+    density.push_back(fields.value[sample * 40 + 16]);
+  const Mean mean = mean_of_correlated(density);
+  EXPECT_NEAR(mean.value, 20 * 0.9772498680518208, 4.5 * mean.standard_error + 0.03);
+  EXPECT_GT(counted(record, "collisions"), 100);
 }
 
 TEST(Inflows, FaultsShowInTheirNumbers) {

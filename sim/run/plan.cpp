@@ -72,6 +72,7 @@ void list_features(const Setup<D>& setup, Plan& plan) {
   if (capabilities(scene).varying_number) plan.feature("open sides", has_open_side(scene.domain));
   if (capabilities(scene).varying_number) plan.feature("sources", !scene.sources.empty());
   if (capabilities(scene).varying_number) plan.feature("inflows", !scene.inflows.empty());
+  if (capabilities(scene).outflows) plan.feature("outflows", !scene.outflows.empty());
   if (capabilities(scene).obstacles) plan.feature("obstacles", !scene.obstacles.empty());
   plan.feature("trajectory", scene.output.trajectory.has_value());
   plan.feature("checkpoints", scene.output.checkpoint.has_value());
@@ -83,15 +84,17 @@ void list_features(const Setup<D>& setup, Plan& plan) {
   }
 }
 
-/// An open side that no inflow feeds is one to vacuum: what a stream beyond it would send back is not there.
+/// An open side with neither an inflow nor an outflow is one to vacuum: what a stream beyond it would send back is not there.
 void warn_of_vacuum(const Scene& scene, Plan& plan) {
   if (scene.inflows.empty()) return;
   for (std::size_t axis = 0; axis < scene.domain.sides.size(); ++axis)
     for (const bool high : {false, true}) {
-      const auto here = [&](const Inflow& inflow) {
-        return inflow.axis == static_cast<int>(axis) && inflow.high == high;
+      const auto here = [&](const auto& flow) {
+        return flow.axis == static_cast<int>(axis) && flow.high == high;
       };
-      if (scene.domain.sides[axis][high] != Side::open || std::ranges::any_of(scene.inflows, here)) continue;
+      if (scene.domain.sides[axis][high] != Side::open || std::ranges::any_of(scene.inflows, here) ||
+          std::ranges::any_of(scene.outflows, here))
+        continue;
       plan.warnings.push_back(fmt::format(
           "nothing comes in by the open side {}-{}, a vacuum: a gas there that streams as the inflow would "
           "send in {:.2g} times as many particles per area",

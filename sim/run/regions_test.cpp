@@ -12,7 +12,7 @@
 
 // Regions of other weights at work, against what needs no weights.
 
-namespace sandglass {
+namespace sandglass::regions_test {
 namespace {
 
 /// A gas at rest with T = m = 1, half of whose box has half the weight: two borders of length 4.
@@ -355,4 +355,4 @@ TEST(Regions, BearExtremes) {
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::regions_test

@@ -139,9 +139,9 @@ template <int D>
 std::map<std::string, double> ReplicaRun<D>::counters() {
   const Tally& tally = simulator_->tally();
   std::map<std::string, double> counters = simulator_->counters();
-  if (sources_)
-    counters["particles-poured"] = std::accumulate(sources_->poured().begin(), sources_->poured().end(), 0.0);
-  if (inflows_) counters.merge(inflows_->counters());
+  if (sources_) counters.merge(sources_->counters());
+  if (inflows_)
+    for (const auto& [name, count] : inflows_->counters()) counters[name] += count;
   counters["steps"] = static_cast<double>(clock_.step);
   counters["collisions"] = static_cast<double>(tally.collisions);
   counters["candidates"] = static_cast<double>(tally.candidates);
@@ -155,7 +155,7 @@ State ReplicaRun<D>::save() {
   simulator_->tally().save(state.memory);
   state.memory["time-step"] = stepper_.save();
   state.memory["collisions"] = collisions_.save();
-  if (sources_) state.memory["sources"] = sources_->poured();
+  if (sources_) state.memory["sources"] = sources_->save();
   if (inflows_) state.memory["inflows"] = inflows_->entered();
   if (trace_) state.memory["event-trace"] = {static_cast<double>(trace_->flush())};
   if (impulses_) state.memory["wall-impulses"] = impulses_->save();

@@ -274,12 +274,22 @@ Scene surfaces(const std::string& preset) {
   return scene;
 }
 
-/// Particles come in and go out.
-Scene beam() {
-  Scene scene = test_scene(2, 12, 60);
-  dsmc_options(scene).cells = {6, 6};
+/// A box open along x, for any method whose number of particles may change.
+Scene open_box(const std::string& preset, std::uint64_t particles) {
+  Scene scene = test_scene(2, 12, particles);
+  choose(scene.method, preset);
+  if (preset == "event-driven")
+    scene.initial.positions = Positions::lattice;
+  else
+    dsmc_options(scene).cells = {6, 6};
   scene.domain.sides[0] = {Side::open, Side::open};
-  scene.sources = {{3, {}, {}, {6, 6}, {}, {1, 0}}};
+  return scene;
+}
+
+/// Particles come in and go out.
+Scene beam(const std::string& preset) {
+  Scene scene = open_box(preset, 60);
+  scene.sources = {{1.5, {}, {}, {6, 6}, {}, {2, 0}}};
   scene.run.duration.steps = 400;
   scene.observe.emplace_back().what = "energy";
   scene.observe.back().cadence.every = 400;
@@ -348,13 +358,11 @@ Scene dense_mixture() {
   return scene;
 }
 
-/// A stream that comes in by one side and leaves by the other, past a border between weights.
-Scene passing_stream() {
-  Scene scene = test_scene(2, 12, 30);
-  dsmc_options(scene).cells = {6, 6};
-  scene.regions = {{{0, 6}, {12, 12}, 0.5}};
+/// A stream that comes in by one side and leaves by the other; in DSMC past a border between weights.
+Scene passing_stream(const std::string& preset) {
+  Scene scene = open_box(preset, 30);
+  if (preset == "dsmc") scene.regions = {{{0, 6}, {12, 12}, 0.5}};
   scene.method.time_step.fixed = 0.1;
-  scene.domain.sides[0] = {Side::open, Side::open};
   scene.inflows.emplace_back();
   scene.inflows[0].number_density = 0.2;
   scene.inflows[0].velocity = {1.5, 0};
@@ -363,6 +371,18 @@ Scene passing_stream() {
   scene.run.duration.steps = 100;
   scene.observe.emplace_back().what = "energy";
   scene.observe.back().cadence.every = 100;
+  return scene;
+}
+
+/// A dispenser and an end that turns some back.
+Scene dispensed_stream() {
+  Scene scene = passing_stream("event-driven");
+  scene.inflows[0].entry = InflowEntry::dispenser;
+  scene.inflows[0].number_density = 0.4;
+  scene.outflows.emplace_back();
+  scene.outflows[0].high = true;
+  scene.outflows[0].velocity = {0.5, 0};
+  scene.outflows[0].temperature = 1;
   return scene;
 }
 
@@ -397,8 +417,9 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   few.run.duration.steps = 300;
   std::map<std::string, std::vector<Scene>> scenes;
   for (const Scene& scene :
-       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam(), crowd(),
-        falling_entry(), at_contact(), rough_mixture(), dense_mixture(), passing_stream()})
+       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam("dsmc"),
+        beam("event-driven"), crowd(), falling_entry(), at_contact(), rough_mixture(), dense_mixture(),
+        passing_stream("dsmc"), passing_stream("event-driven"), dispensed_stream()})
     scenes[method_family(scene)].push_back(scene);
   for (const auto& [family, examples] : scenes)
     for (const PlantedFault& fault : planted_faults(family))

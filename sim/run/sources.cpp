@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@ namespace sandglass {
 
 namespace {
 constexpr double kMostInAStep = 1e6;
+constexpr int kPlaces = 100;  ///< looked at where particles have a surface
 
 /// Edges of the region where particles appear; along the axis that it does not say, 0.
 template <int D>
@@ -36,7 +38,12 @@ double pile_height(const View<D>& view, int axis, bool down, double speed) {
 
 template <int D>
 Sources<D>::Sources(const Setup<D>& setup, const Streams& streams)
-    : setup_(setup), streams_(streams), room_(setup.scene), poured_(setup.sources.size()) {
+    : setup_(setup),
+      streams_(streams),
+      room_(setup.scene),
+      radius_(setup.scene.species.front().diameter / 2),
+      poured_(setup.sources.size()),
+      refusals_(setup.sources.size()) {
   const std::optional<std::size_t> axis = gravity_axis(setup.scene);
   for (const Source& source : setup.sources) {
     if (!source.height) continue;
@@ -62,9 +69,47 @@ void Sources<D>::pour(Simulator<D>& simulator, const Clock& clock) {
                       "'source.rate' or the time step",
                       clock.step, count, kMostInAStep));
     refuse_outside(setup_.sources[i], low_corner(setup_.sources[i], pile), clock);
-    simulator.insert(draw(i, count, pile));
-    poured_[i] = due_now[i];
+    bring_in(simulator, i, count, pile);
   }
+}
+
+/// Hard particles one by one, for each takes room from the next. Who finds none stays due.
+template <int D>
+void Sources<D>::bring_in(Simulator<D>& simulator, std::size_t index, double count, double level) {
+  const double at_once = room_.hard ? 1 : count;
+  for (double due = count; due > 0; due -= at_once) {
+    const Particles<D> particles = draw(simulator, index, at_once, level);
+    if (particles.phases.empty()) {
+      ++refusals_[index];
+      return;
+    }
+    simulator.insert(particles);
+    poured_[index] += at_once;
+  }
+}
+
+template <int D>
+std::map<std::string, double> Sources<D>::counters() const {
+  const auto sum = [](const std::vector<double>& all) {
+    return std::accumulate(all.begin(), all.end(), 0.0);
+  };
+  std::map<std::string, double> counters{{"particles-poured", sum(poured_)}};
+  if (room_.hard) counters["sources-refused"] = sum(refusals_);
+  return counters;
+}
+
+template <int D>
+std::vector<double> Sources<D>::save() const {
+  std::vector<double> state = poured_;
+  if (room_.hard) state.insert(state.end(), refusals_.begin(), refusals_.end());
+  return state;
+}
+
+template <int D>
+void Sources<D>::load(const std::vector<double>& state) {
+  for (std::size_t i = 0; i < poured_.size(); ++i) poured_[i] = state.at(i);
+  if (!room_.hard) return;
+  for (std::size_t i = 0; i < refusals_.size(); ++i) refusals_[i] = state.at(poured_.size() + i);
 }
 
 template <int D>
@@ -93,7 +138,8 @@ Vector<D> Sources<D>::low_corner(const Source& source, double level) const {
 
 template <int D>
 void Sources<D>::refuse_outside(const Source& source, const Vector<D>& low, const Clock& clock) const {
-  if (!source.height || (low[axis_] >= 0 && low[axis_] <= room_.box[axis_])) return;
+  const double margin = room_.margin(axis_, radius_);
+  if (!source.height || (low[axis_] >= margin && low[axis_] <= room_.box[axis_] - margin)) return;
   throw RunError(
       fmt::format("step {}, time {:.6g}: a source {} above the pile stands at {} along {}, outside the box "
                   "of {}; make the box higher "
@@ -102,23 +148,33 @@ void Sources<D>::refuse_outside(const Source& source, const Vector<D>& low, cons
 }
 
 template <int D>
-Particles<D> Sources<D>::draw(std::size_t index, double count, double level) const {
+std::optional<Vector<D>> Sources<D>::free_place(Simulator<D>& simulator, const Vector<D>& low,
+                                                const Vector<D>& width, Random random) {
+  for (int k = 0; k < kPlaces; ++k) {
+    Vector<D> position;
+    for (int axis = 0; axis < D; ++axis) position[axis] = low[axis] + width[axis] * random.uniform();
+    if (simulator.has_room(position, 0)) return position;
+  }
+  return {};
+}
+
+template <int D>
+Particles<D> Sources<D>::draw(Simulator<D>& simulator, std::size_t index, double count, double level) const {
   const Source& source = setup_.sources[index];
   const StreamKey key(streams_.seed, Purpose::sources, streams_.replica, index);
   const Vector<D> low = low_corner(source, level), width = width_of<D>(source, axis_);
   const auto first = static_cast<std::uint64_t>(poured_[index]);
   Particles<D> particles;
   for (std::uint64_t n = first; n < first + static_cast<std::uint64_t>(count); ++n) {
-    Random random(key, n);
-    Vector<D> position;
-    for (int axis = 0; axis < D; ++axis) position[axis] = low[axis] + width[axis] * random.uniform();
-    if (room_.blocked(position, 0))
+    const std::optional<Vector<D>> place = free_place(simulator, low, width, Random(key, n));
+    if (!place) break;
+    if (room_.blocked(*place, room_.hard ? radius_ : 0))
       throw RunError(fmt::format(
           "particle {} of a source would appear inside an obstacle; move 'source.centre' or narrow "
           "'source.width'",
           n + 1));
-    particles.phases.push_back({position, vector_of<D>(source.velocity)});
-    if (setup_.weights) particles.columns.append(column::weight, setup_.weights->at(position));
+    particles.phases.push_back({*place, vector_of<D>(source.velocity)});
+    if (setup_.weights) particles.columns.append(column::weight, setup_.weights->at(*place));
   }
   return particles;
 }

@@ -127,6 +127,82 @@ TEST(Sources, StandAboveTheHighestOfThePile) {
   EXPECT_NEAR(coordinate(record.trajectory[8], 2, 1), 5 + 5 * 0.8 - 0.5 * 0.8 * 0.8 + 8, 1e-12);
 }
 
+/// Disks with a surface that are poured faster than they spread.
+const std::string kCrowd = R"(
+[run]
+duration = { time = 20.0 }
+[domain]
+dimension = 2
+size = [12.0, 30.0]
+sides.y = "specular"
+[[species]]
+count = 0
+restitution = 0.9
+[[wall]]
+side = "y-low"
+restitution = 0.5
+[[source]]
+rate = 40.0
+count = 100
+centre = [6.0, 15.0]
+width = [4.0, 1.0]
+velocity = [0.0, -4.0]
+[method]
+preset = "event-driven"
+time-step = 0.05
+collapse-guard = "contact-time"
+contact-time = 0.01
+[forces]
+gravity = [0.0, -1.0]
+[output]
+ids = true
+trajectory = { steps = 1 }
+checkpoint = { steps = 90 }
+)";
+
+/// Smallest distance of two disks, around the periodic x.
+double nearest(const Frame& frame) {
+  double nearest = HUGE_VAL;
+  for (std::size_t i = 0; i < frame.particles(2); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double x = frame.position[2 * i] - frame.position[2 * j];
+      nearest = std::min(nearest, std::hypot(x - 12 * std::round(x / 12),
+                                             frame.position[2 * i + 1] - frame.position[2 * j + 1]));
+    }
+  return nearest;
+}
+
+TEST(Sources, PourHardParticlesOnlyWhereThereIsRoom) {
+  const Record record = run_text(kCrowd);
+  for (std::size_t i = 1; i < record.trajectory.size(); ++i) {
+    const Frame& frame = record.trajectory[i];
+    ASSERT_LE(static_cast<double>(frame.particles(2)), std::min(40 * frame.time, 100.0) + 1e-9);
+    ASSERT_GE(nearest(frame), 1 - 1e-12) << frame.time;
+  }
+  EXPECT_LT(record.trajectory[50].particles(2), 90u) << "a hundred are due at 2.5";
+  EXPECT_EQ(record.trajectory.back().particles(2), 100u) << "who waited has come in";
+  EXPECT_GT(record.replicas[0].counters.at("sources-refused"), 10);
+}
+
+TEST(Sources, PourHardParticlesOnBitwise) {
+  const Scene scene = read_scene_text(kCrowd, "crowd.toml");
+  RunOptions options;
+  options.checkpoint_path = testing::TempDir() + "sources_test.crowd.h5";
+  run_scene(scene, options);
+  const Record whole = run_scene(scene), resumed = resume(read_record(options.checkpoint_path));
+  EXPECT_EQ(resumed.replicas[0].counters, whole.replicas[0].counters);
+  EXPECT_EQ(resumed.trajectory.back().position, whole.trajectory.back().position);
+}
+
+/// Above a pile of disks that have come to rest.
+TEST(Sources, RiseWithThePileOfHardParticles) {
+  const Record record =
+      run_text(edited(edited(kCrowd, "rate = 40.0", "rate = 5.0\nheight = 5.0"),
+                      "centre = [6.0, 15.0]\nwidth = [4.0, 1.0]", "centre = [6.0]\nwidth = [4.0]"));
+  EXPECT_GE(record.trajectory.back().particles(2), 99u);
+  EXPECT_GT(highest(record), 5 + 99 / 12.0 * 0.7);
+}
+
 TEST(PileHeight, LeavesOutWhoFallsFasterThanPoured) {
   const std::vector<Phase<2>> particles = {
       {{1, 9}, {0, -3}}, {{1, 7}, {0, -2}}, {{1, 4}, {5, 1}}, {{1, 2}, {0, 0}}};

@@ -141,6 +141,34 @@ what = "fields"
 grid = [1, 10]
 )";
 
+/// A stream from a dispenser to a filter.
+const std::string good_stream = R"([run]
+duration = { time = 100.0 }
+[domain]
+dimension = 2
+size = [60.0, 20.0]
+sides.x = "open"
+[[species]]
+area-fraction = 0.5
+[[inflow]]
+side = "x-low"
+entry = "dispenser"
+piston = "thermal"
+number-density = 0.6366
+velocity = [0.2, 0.0]
+temperature = 1.0
+[[outflow]]
+side = "x-high"
+velocity = [0.2, 0.0]
+temperature = 1.0
+filter = 3.0
+[method]
+preset = "event-driven"
+time-step = 0.1
+[initial]
+positions = "lattice"
+)";
+
 enum class Outcome { accepted, refused };
 
 Outcome read_spoiled(const std::string& text) {
@@ -162,10 +190,11 @@ Outcome read_spoiled(const std::string& text) {
 class Fuzz : public testing::TestWithParam<std::string> {};
 
 std::string method_name(const testing::TestParamInfo<std::string>& scene) {
-  return std::array{"Cuba", "EventDriven", "Regions"}.at(scene.index);
+  return std::array{"Cuba", "EventDriven", "Regions", "Stream"}.at(scene.index);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Fuzz, testing::Values(good, good_event_driven, good_regions), method_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, Fuzz, testing::Values(good, good_event_driven, good_regions, good_stream),
+                         method_name);
 
 TEST_P(Fuzz, ASpoiledSceneIsReadOrRefusedAndNothingElse) {
   Mutator mutator(20240607);

@@ -66,6 +66,7 @@ Scene read_tables(Table& root, Diagnostics& diagnostics) {
   for (Table& table : root.tables("inflow"))
     read_inflow(table, known_species(root, scene), scene.inflows.emplace_back());
   for (Table& table : root.tables("region")) read_region(table, scene.regions.emplace_back());
+  for (Table& table : root.tables("outflow")) read_outflow(table, scene.outflows.emplace_back());
   read_particles(root, given, dimension, scene);
   for (Table& table : root.tables("observe")) read_observe(table, scene.observe.emplace_back());
   read_section(root, "output", read_output, scene.output);

@@ -25,6 +25,7 @@ void read_source(Table& table, Source& source);
 /// `species`: what it may name; nullptr when that is not known.
 void read_inflow(Table& table, const std::vector<Species>* species, Inflow& inflow);
 void read_region(Table& table, Region& region);
+void read_outflow(Table& table, Outflow& outflow);
 /// True when positions = "given".
 bool read_initial(Table& table, Initial& initial);
 /// `species`: what the particle may name; nullptr when that is not known.

@@ -30,6 +30,7 @@ void check_obstacles(const Scene& scene, Diagnostics& diagnostics);
 void check_sources(const Scene& scene, Diagnostics& diagnostics);
 void check_inflows(const Scene& scene, Diagnostics& diagnostics);
 void check_regions(const Scene& scene, Diagnostics& diagnostics);
+void check_outflows(const Scene& scene, Diagnostics& diagnostics);
 void check_given(const Scene& scene, Diagnostics& diagnostics);
 void check_spins(const Scene& scene, Diagnostics& diagnostics);
 /// Of the family itself, on its keys and what they need.
@@ -39,6 +40,9 @@ void check_capabilities(const Scene& scene, Diagnostics& diagnostics);
 
 /// Whether the domain has this axis; reports a side of the third axis in two dimensions.
 bool check_side(const Domain& domain, int axis, bool high, const std::string& path, Diagnostics& diagnostics);
+/// Whether the side is open; reports one that is not. `stream`: what it would do, "a stream comes in by".
+bool check_open_side(const Scene& scene, int axis, bool high, const std::string& path, const char* stream,
+                     Diagnostics& diagnostics);
 /// Without a particle at the start there is neither a temperature, a collision rate nor a largest speed.
 void check_step_of_empty_box(const Scene& scene, Diagnostics& diagnostics);
 

@@ -140,8 +140,17 @@ double flux_into(const Scene& scene, const Inflow& inflow, std::size_t axis, boo
 
 double inflow_rate(const Scene& scene, const Inflow& inflow) {
   const auto axis = static_cast<std::size_t>(inflow.axis);
+  if (inflow.entry == InflowEntry::dispenser) {
+    const double along = inflow.velocity.empty() ? 0 : inflow.velocity[axis];
+    return inflow.number_density * std::fabs(along) * volume(scene.domain) / scene.domain.size[axis];
+  }
   return flux_into(scene, inflow, axis, inflow.high) * volume(scene.domain) / scene.domain.size[axis] /
          scene.method.weight;
+}
+
+double layer_count(const Scene& scene, const Inflow& inflow) {
+  const double side = volume(scene.domain) / scene.domain.size[static_cast<std::size_t>(inflow.axis)];
+  return std::max(1.0, std::ceil(inflow.number_density * scene.species[inflow.species].diameter * side));
 }
 
 double neglected_return(const Scene& scene, std::size_t axis, bool high) {

@@ -5,6 +5,7 @@
 #include "sim/scene/initial/initial.hpp"
 #include "sim/scene/method/method.hpp"
 #include "sim/scene/observe/observe.hpp"
+#include "sim/scene/outflow/outflow.hpp"
 #include "sim/scene/region/region.hpp"
 #include "sim/scene/run/run.hpp"
 #include "sim/scene/source/source.hpp"
@@ -32,6 +33,7 @@ struct Scene {
   std::vector<Obstacle> obstacles;
   std::vector<Source> sources;
   std::vector<Inflow> inflows;
+  std::vector<Outflow> outflows;
   std::vector<Region> regions;  ///< of other weights; they do not overlap
   Initial initial;
   std::vector<GivenParticle> given;  ///< positions = "given": all particles; else empty
@@ -69,8 +71,10 @@ std::uint64_t added_count(const Scene& scene);
 /// Least real particles per simulated one anywhere.
 double lightest_weight(const Scene& scene);
 /// Simulated particles, of the weight of the method, that an inflow lets in per time: the flux of its Maxwellian through the
-/// side.
+/// side, or what its piston makes room for.
 double inflow_rate(const Scene& scene, const Inflow& inflow);
+/// Particles of a layer that a dispenser puts behind its piston: the fewest whose strip is a diameter wide.
+double layer_count(const Scene& scene, const Inflow& inflow);
 /// Of the particles that the inflows let in, the share that a gas beyond the open side, streaming as they do, would send in
 /// there: what an outflow to vacuum neglects.
 double neglected_return(const Scene& scene, std::size_t axis, bool high);

@@ -37,6 +37,17 @@ const Words<Arrivals>& arrivals_words() {
   return words;
 }
 
+const Words<InflowEntry>& entry_words() {
+  static const Words<InflowEntry> words = {{"flux", InflowEntry::flux},
+                                           {"dispenser", InflowEntry::dispenser}};
+  return words;
+}
+
+const Words<Piston>& piston_words() {
+  static const Words<Piston> words = {{"specular", Piston::specular}, {"thermal", Piston::thermal}};
+  return words;
+}
+
 const Words<std::pair<int, bool>>& wall_side_words() {
   static const Words<std::pair<int, bool>> words = [] {
     Words<std::pair<int, bool>> sides;

@@ -13,5 +13,7 @@ const Words<std::optional<Positions>>& positions_words();  ///< none: "given"
 const Words<SurfaceKind>& surface_kind_words();
 const Words<std::pair<int, bool>>& wall_side_words();  ///< "x-low": axis, high
 const Words<Arrivals>& arrivals_words();
+const Words<InflowEntry>& entry_words();
+const Words<Piston>& piston_words();
 
 }  // namespace sandglass

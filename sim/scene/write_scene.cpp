@@ -98,6 +98,7 @@ std::string write_scene(const Scene& scene) {
   for (const Source& source : scene.sources) write_source(lines, source);
   for (const Inflow& inflow : scene.inflows) write_inflow(lines, inflow, scene);
   for (const Region& region : scene.regions) write_region(lines, region);
+  for (const Outflow& outflow : scene.outflows) write_outflow(lines, outflow);
   write_method(lines, scene);
   if (!scene.gravity.empty()) {
     lines.header("[forces]");

@@ -12,6 +12,7 @@ void write_source(Lines& lines, const Source& source);
 /// It names its species as the scene does.
 void write_inflow(Lines& lines, const Inflow& inflow, const Scene& scene);
 void write_region(Lines& lines, const Region& region);
+void write_outflow(Lines& lines, const Outflow& outflow);
 /// The particle names its species as the scene does.
 void write_particle(Lines& lines, const GivenParticle& particle, const Scene& scene);
 

@@ -59,6 +59,7 @@ std::vector<CheckInfo> join_families() {
                              symmetry_checks,
                              stream_checks,
                              cloning_checks,
+                             open_stream_checks,
                              channel_checks,
                              falling_stream_checks})
     for (CheckInfo& check : family()) all.push_back(std::move(check));

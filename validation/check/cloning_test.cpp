@@ -6,7 +6,7 @@
 
 // Sums over crossings as draws make them, and with masses that are made or lost.
 
-namespace sandglass::synthetic {
+namespace sandglass::synthetic::cloning_test {
 namespace {
 
 const std::vector<std::string> kNames = {"cloned-mass",  "cloned-momentum-x",  "cloned-energy",
@@ -77,4 +77,4 @@ TEST(CloningBalance, IsForScenesWithRegions) {
 }
 
 }  // namespace
-}  // namespace sandglass::synthetic
+}  // namespace sandglass::synthetic::cloning_test

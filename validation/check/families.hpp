@@ -52,6 +52,7 @@ std::vector<CheckInfo> two_fluid_checks();
 std::vector<CheckInfo> symmetry_checks();
 std::vector<CheckInfo> stream_checks();
 std::vector<CheckInfo> cloning_checks();
+std::vector<CheckInfo> open_stream_checks();
 std::vector<CheckInfo> channel_checks();
 std::vector<CheckInfo> falling_stream_checks();
 

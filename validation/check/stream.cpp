@@ -32,7 +32,7 @@ double expected_at_end(const Subject& subject, std::size_t replica) {
   const auto& counters = subject.record().replicas[replica].counters;
   const auto count = [&](const char* name) { return counters.contains(name) ? counters.at(name) : 0; };
   return static_cast<double>(particle_count(subject.scene())) + count("particles-entered") +
-         count("particles-poured") - count("particles-left");
+         count("particles-poured") - count("particles-left") - count("particles-waiting");
 }
 
 Evidence particle_balance(const Subject& subject, const law::Arguments&) {
@@ -209,13 +209,14 @@ Evidence cooling_stream_velocity(const Subject& subject, const law::Arguments& n
 
 bool is_uniform_stream(const Scene& scene) {
   const Species& species = scene.species.front();
-  return is_free_stream(scene) && species.restitution == 1 && std::abs(species.tangential_restitution) == 1 &&
+  return is_free_stream(scene) && scene.domain.dimension == 3 && scene.outflows.empty() &&
+         species.restitution == 1 && std::abs(species.tangential_restitution) == 1 &&
          (scene.inflows.front().spin_temperature == scene.inflows.front().temperature || !is_rough(scene));
 }
 
 bool is_cooling_stream(const Scene& scene) {
-  return is_free_stream(scene) && is_rough(scene) && !scene.species.front().friction &&
-         scene.inflows.front().spin_temperature > 0;
+  return is_free_stream(scene) && scene.domain.dimension == 3 && is_rough(scene) &&
+         !scene.species.front().friction && scene.inflows.front().spin_temperature > 0;
 }
 
 law::Parameter settle_time() { return {"settle-time", "time", "samples before it are left out", 0, 1e12}; }

@@ -14,13 +14,13 @@
 namespace sandglass {
 
 bool is_stream(const Scene& scene) {
-  if (scene.domain.dimension != 3 || scene.species.size() != 1 || scene.inflows.size() != 1 ||
-      !scene.sources.empty() || !scene.obstacles.empty() || !capabilities(scene).collisions)
+  if (scene.species.size() != 1 || scene.inflows.size() != 1 || !scene.sources.empty() ||
+      !scene.obstacles.empty() || !capabilities(scene).collisions)
     return false;
   const Inflow& inflow = scene.inflows.front();
   return inflow.axis == 0 && !inflow.high && scene.domain.sides[0][1] == Side::open &&
          inflow.temperature > 0 && !inflow.velocity.empty() && inflow.velocity[0] > 0 &&
-         is_periodic_along(scene, 2);
+         (scene.domain.dimension == 2 || is_periodic_along(scene, 2));
 }
 
 bool is_free_stream(const Scene& scene) {
@@ -28,12 +28,12 @@ bool is_free_stream(const Scene& scene) {
 }
 
 bool is_channel(const Scene& scene) {
-  return is_stream(scene) && scene.domain.sides[1] == std::array{Side::specular, Side::specular} &&
-         is_weightless(scene);
+  return is_stream(scene) && scene.domain.dimension == 3 &&
+         scene.domain.sides[1] == std::array{Side::specular, Side::specular} && is_weightless(scene);
 }
 
 bool is_falling_stream(const Scene& scene) {
-  return is_stream(scene) && vertical_axis(scene) == 1 &&
+  return is_stream(scene) && scene.domain.dimension == 3 && vertical_axis(scene) == 1 &&
          scene.domain.sides[1] == std::array{Side::specular, Side::specular} &&
          is_mirror(wall_at(scene, 1, false)) && is_mirror(wall_at(scene, 1, true)) &&
          scene.species.front().restitution == 1 && scene.species.front().tangential_restitution == 1;
@@ -43,14 +43,15 @@ StreamField::StreamField(const Subject& subject, double settle_time)
     : subject_(subject), spins_(subject.has("spin-temperature")) {
   const std::vector<std::size_t>& shape = subject.series(0, "fields").quantity.shape;
   bins_ = {shape.at(0), shape.at(1)};
-  if (shape.at(2) != 1) throw InputError("'fields' has several bins along z: give 1 there");
+  if (subject.dimension() == 3 && shape.at(2) != 1)
+    throw InputError("'fields' has several bins along z: give 1 there");
   if (spins_ && subject.series(0, "spin-temperature").quantity.size() != bins_[0] * bins_[1])
     throw InputError("'spin-temperature' has other bins than 'fields': give both the same 'grid'");
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica) read(replica, settle_time);
 }
 
 void StreamField::read(std::size_t replica, double settle_time) {
-  constexpr std::size_t width = 5;
+  const auto width = static_cast<std::size_t>(subject_.dimension()) + 2;
   const Series& fields = subject_.series(replica, "fields");
   const Scene& scene = subject_.scene();
   const std::size_t count = bins_[0] * bins_[1];
@@ -66,7 +67,7 @@ void StreamField::read(std::size_t replica, double settle_time) {
       sums[bin].density += values[0];
       sums[bin].momentum += values[0] * values[1];
       sums[bin].weight += weight;
-      sums[bin].heat += weight * values[4];
+      sums[bin].heat += weight * values[width - 1];
       if (spins_)
         sums[bin].turning +=
             values[0] * subject_.series(replica, "spin-temperature").value[sample * count + bin];

@@ -11,9 +11,9 @@ namespace sandglass {
 
 /// One species that streams in along x by an inflow at the low side and out into a vacuum at the high one.
 bool is_stream(const Scene& scene);
-/// A stream whose particles touch nothing across: periodic along y and z.
+/// A stream whose particles touch nothing across: periodic along y, and z if there is one.
 bool is_free_stream(const Scene& scene);
-/// A stream between two walls across y, without gravity.
+/// A stream of spheres between two walls across y, without gravity.
 bool is_channel(const Scene& scene);
 /// Rough perfectly elastic particles that stream between mirrors across y, gravity pulling to the low one.
 bool is_falling_stream(const Scene& scene);

@@ -96,6 +96,66 @@ TEST(StreamChecks, SeeAStreamThatIsNotUniform) {
   EXPECT_NEAR(good.budget.systematic, 0.0034, 2e-4) << "what moves upstream at S = 2.2567";
 }
 
+/// Disks that leave where some are turned back.
+const std::string kOpen = R"([run]
+duration = { steps = 100 }
+[domain]
+dimension = 2
+size = [60.0, 20.0]
+sides.x = "open"
+[[species]]
+area-fraction = 0.5
+[[inflow]]
+side = "x-low"
+number-density = 0.6
+velocity = [0.1, 0.0]
+temperature = 0.02
+[[outflow]]
+side = "x-high"
+velocity = [0.1, 0.0]
+temperature = 0.02
+[method]
+preset = "event-driven"
+time-step = 0.1
+[initial]
+positions = "lattice"
+)";
+
+/// Twelve bins of which one, between 0.5 and 0.6, is off by these factors.
+Record open_stream(double density, double velocity, double temperature) {
+  Record record = record_of({}, 8);
+  record.scene = kOpen;
+  Generator generator(11);
+  std::normal_distribution<double> scatter(1, 1e-3);
+  for (std::size_t replica = 0; replica < 8; ++replica) {
+    Series fields;
+    fields.quantity = {"fields", "", "", {12, 1, 4}, {}, {}, ""};
+    for (int sample = 0; sample < 10; ++sample) {
+      std::vector<double> values;
+      for (int bin = 0; bin < 12; ++bin) {
+        const bool off = bin == 6;
+        values.insert(values.end(), {0.6 * (off ? density : 1) * scatter(generator),
+                                     0.1 * (off ? velocity : 1) * scatter(generator), 0,
+                                     0.02 * (off ? temperature : 1) * scatter(generator)});
+      }
+      add_sample(fields, sample, values);
+    }
+    record.replicas[replica].series = {fields};
+  }
+  return record;
+}
+
+TEST(StreamChecks, SeeWhereAnOpenStreamIsNotHeld) {
+  const std::vector<std::pair<std::string, Record>> cases = {{"stream-density", open_stream(0.9, 1, 1)},
+                                                             {"stream-velocity", open_stream(1, 0.9, 1)},
+                                                             {"stream-temperature", open_stream(1, 1, 0.9)}};
+  for (const auto& [check, bad] : cases) {
+    EXPECT_LT(deviation(run(check, open_stream(1, 1, 1))), 1e-3) << check;
+    EXPECT_NEAR(deviation(run(check, bad)), 0.1, 2e-3) << check;
+    EXPECT_LT(deviation(run(check, bad, {{"from", 0.0}, {"to", 0.5}})), 1e-3) << "it is elsewhere";
+  }
+}
+
 Record cooling(double restitution) {
   const law::CoolingStream start{{3, restitution, 0, 0.4}, 1, 2.2567, {0.5, 0.5}, 1};
   return record_with(scene_of("[16.0, 0.2, 0.2]", "", kGranular), {40, 1}, [&](double x, double) {

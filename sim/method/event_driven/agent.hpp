@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace sandglass::event_driven {
@@ -22,19 +24,33 @@ struct Box {
   }
 };
 
-/// Access to all particles, for an agent at an event of its own.
+/// Access to all particles, for an agent at an event of its own. They are numbered from 0; of those who have left the
+/// numbers are free for a while.
 template <int D>
 class ParticleAccess {
  public:
   virtual ~ParticleAccess() = default;
-  virtual std::uint64_t size() const = 0;
+  /// One more than the highest number.
+  virtual std::uint32_t numbers() const = 0;
+  virtual bool is_here(std::uint32_t particle) const = 0;
   virtual ParticleState<D> state(std::uint32_t particle) const = 0;
   /// Gives a particle another velocity, here and now.
   virtual void set_velocity(std::uint32_t particle, const Vector<D>& velocity) = 0;
+  /// The same, and another species.
+  virtual void convert(std::uint32_t particle, std::size_t species, const Vector<D>& velocity) = 0;
+  /// Whether a particle of this species would overlap no other one there.
+  virtual bool has_room(const Vector<D>& position, std::size_t species) = 0;
+  /// Lets a particle in, where there is room.
+  virtual void insert(const Newcomer<D>& newcomer) = 0;
+  virtual void remove(std::uint32_t particle) = 0;
 };
 
-/// Anything that makes events beside the particles themselves: walls, obstacles, planes that count, timers; thermostats and
-/// dispensers to come. Times are those of the run.
+/// What an agent has made of the particle that came: nothing, another flight, that and another species, or it has left for
+/// good.
+enum class Outcome { unchanged, changed, converted, gone };
+
+/// Anything that makes events beside the particles themselves: walls, obstacles, open sides, planes that count, timers;
+/// thermostats and dispensers to come. Times are those of the run.
 template <int D>
 class Agent {
  public:
@@ -54,16 +70,18 @@ class Agent {
   }
   /// Whether act() draws: only then it gets a stream, and particles keep their identities.
   virtual bool draws() const { return false; }
-  /// Acts on the particle that has come. True if its flight changed.
-  virtual bool act(ParticleState<D>& particle, double now, Random& random) {
+  /// Acts on the particle that has come.
+  virtual Outcome act(ParticleState<D>& particle, double now, Random& random) {
     (void)particle, (void)now, (void)random;
-    return false;
+    return Outcome::unchanged;
   }
 
   /// Time of the next event of its own; infinity for none. An agent that begins with infinity is not asked again.
   virtual double next() const { return HUGE_VAL; }
   virtual void act(ParticleAccess<D>& particles, double now) { (void)particles, (void)now; }
 
+  /// Adds what it has counted to the counters of the record.
+  virtual void count(std::map<std::string, double>& counters) const { (void)counters; }
   /// What a restart needs, in as few numbers as it takes; and back.
   virtual std::vector<double> save() const { return {}; }
   virtual void load(const std::vector<double>&) {}

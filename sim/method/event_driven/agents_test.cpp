@@ -173,7 +173,7 @@ TEST(Agents, ATimerFiresAtItsTimesAndTurnsParticles) {
   std::vector<double> times;
   const auto action = [&times](ParticleAccess<2>& particles, double now) {
     times.push_back(now);
-    ASSERT_EQ(particles.size(), 2u);
+    ASSERT_EQ(particles.numbers(), 2u);
     particles.set_velocity(0, -particles.state(0).velocity);
   };
   TestGas<2> gas({20, 20});
@@ -193,7 +193,7 @@ TEST(Agents, ATimerFiresAtItsTimesAndTurnsParticles) {
 /// After a change of velocity what was predicted is void, and found anew.
 TEST(Agents, AParticleOnANewWayCollidesThere) {
   const auto action = [](ParticleAccess<2>& particles, double) {
-    for (std::uint32_t i = 0; i < particles.size(); ++i)
+    for (std::uint32_t i = 0; i < particles.numbers(); ++i)
       if (particles.state(i).velocity.norm() > 0) particles.set_velocity(i, {0, 1});
   };
   TestGas<2> gas({20, 20});

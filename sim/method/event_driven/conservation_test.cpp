@@ -1,25 +1,7 @@
 #include "sim/method/event_driven/test_gas.hpp"
 
-#include <algorithm>
-
 namespace sandglass::event_driven::conservation_test {
 namespace {
-
-/// Smallest distance of two particles less their contact distance, by every pair and image.
-template <int D>
-double smallest_gap(Simulator<D>& gas, const Geometry<D>& geometry) {
-  const auto particles = gas.view().particles;
-  double smallest = HUGE_VAL;
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      Vector<D> r = particles[i].position - particles[j].position;
-      for (int axis = 0; axis < D; ++axis)
-        if (geometry.periodic[static_cast<std::size_t>(axis)])
-          r[axis] -= geometry.box[axis] * std::nearbyint(r[axis] / geometry.box[axis]);
-      smallest = std::min(smallest, r.norm() - 1);
-    }
-  return smallest;
-}
 
 /// A long elastic run: momentum and energy to rounding, and nobody inside anybody.
 template <int D>

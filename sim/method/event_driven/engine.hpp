@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/event_driven/agents_by_cell.hpp"
+#include "sim/method/event_driven/entrance.hpp"
 #include "sim/method/event_driven/era.hpp"
 #include "sim/method/event_driven/policies.hpp"
 #include "sim/method/event_driven/prefetch.hpp"
@@ -18,6 +19,7 @@ template <class C>
 class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
  public:
   static constexpr int D = C::D;
+  static constexpr auto kNextId = "event-driven/next-id", kEntrance = "event-driven/entrance";
 
   Engine(const Parameters<D>& parameters, Agents<D> agents, const Streams& streams, EventSink<D>* trace);
 
@@ -25,7 +27,11 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   void step(double dt, std::uint64_t step) override;
   View<D> view() override;
   std::span<const std::uint64_t> ids() const override;
-  std::uint64_t size() const override { return gas_.size(); }
+  std::uint64_t size() const override { return gas_.size() - gas_.gone; }
+  bool has_room(const Vector<D>& position, std::size_t species) override;
+  void insert(const Particles<D>& particles) override;
+  void enter(const Entrants<D>& entrants, double dt, std::uint64_t step) override;
+  void remove(std::span<const std::uint32_t> places) override;
   Tally& tally() override { return tally_; }
   std::map<std::string, double> counters() const override;
   Memory save() const override;
@@ -38,7 +44,7 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   void cross(std::uint32_t particle);
   void collide(std::uint32_t first, std::uint32_t second);
   void collide_with_agent(std::uint32_t particle, std::uint32_t agent);
-  bool act(std::uint32_t agent, std::uint32_t particle, ParticleState<D>& state);
+  Outcome act(std::uint32_t agent, std::uint32_t particle, ParticleState<D>& state);
   void count_impact(const Vector<D>& normal, const Vector<D>& relative);
   void trace(std::uint32_t first, std::uint32_t second, const Vector<D>& normal, double approach);
   [[noreturn]] void refuse_collapse(std::uint32_t first, std::uint32_t second) const;
@@ -49,6 +55,10 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   void search_agents(std::uint32_t particle, Contact& best) const;
   void set_next(std::uint32_t particle, const Contact& contact);
 
+  void let_go(std::uint32_t particle, std::uint32_t agent);
+  void open_entrance();
+  Memory with_entrance(Memory memory) const;
+  void renew_era();
   void begin_era();
   void begin_calendar();
   void fill_calendar();
@@ -58,6 +68,11 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   std::uint64_t identity(std::uint32_t particle) const {
     return gas_.ids.empty() ? particle : gas_.ids[particle];
   }
+  std::uint32_t numbers() const override { return gas_.size(); }
+  bool is_here(std::uint32_t particle) const override { return gas_.is_here(particle); }
+  void convert(std::uint32_t particle, std::size_t species, const Vector<D>& velocity) override;
+  void insert(const Newcomer<D>& newcomer) override;
+  void remove(std::uint32_t particle) override;
   ParticleState<D> state(std::uint32_t particle) const override { return state_at(particle, progress_.now); }
   ParticleState<D> state_at(std::uint32_t particle, double time) const;
   void set_velocity(std::uint32_t particle, const Vector<D>& velocity) override;
@@ -74,8 +89,10 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   bool draws_;                     ///< an agent draws random numbers
   Streams streams_;
   EventSink<D>* trace_;
+  Entrance<D> entrance_;
 
   Gas<D> gas_;
+  std::uint64_t next_id_ = 0;  ///< of the next one that comes in
   EventCalendar calendar_;
   Prefetch<D> prefetch_;
   bool prefetches_ = false;

@@ -19,6 +19,7 @@ void Engine<C>::step(double dt, std::uint64_t) {
     run_until(std::max(until, 0.0));
     left -= std::max(until, 0.0);
     (*next)->act(*this, progress_.clock());
+    renew_era();
   }
   run_until(left);
   tally_.moves = 2 * tally_.collisions + progress_.counts.agent_events;
@@ -56,7 +57,8 @@ void Engine<C>::carry_out(std::uint32_t particle) {
   const Next& next = gas_.next[particle];
   if (next.time < next.contact) return cross(particle);
   if (next.partner >= kFirstAgent) return collide_with_agent(particle, next.partner - kFirstAgent);
-  if (gas_.particles[next.partner].changes != next.partner_changes && !conduct_.accepts_stale())
+  if (gas_.particles[next.partner].changes != next.partner_changes &&
+      !(conduct_.accepts_stale() && gas_.is_here(next.partner)))
     return predict(particle);
   collide(particle, next.partner);
 }
@@ -101,7 +103,8 @@ void Engine<C>::collide(std::uint32_t i, std::uint32_t j) {
   tally_.deepest_overlap = std::max(tally_.deepest_overlap, overlap);
   if (parameters_.impact_bins > 0) count_impact(normal, first.velocity - second.velocity);
   const Vector<D> before = second.velocity;
-  const Impact<D> impact = rule_.apply(gas_, i, j, normal, now, progress_.counts.guarded);
+  const Impact<D> impact =
+      conduct_.template collide<D>(rule_, gas_, i, j, normal, now, progress_.counts.guarded);
   conduct_.template finish_collision<D>(before, second.velocity);
   make_receding(normal, first.velocity, second.velocity);
   if (stall_.contact(now, impact.approach)) refuse_collapse(i, j);
@@ -133,10 +136,15 @@ void Engine<C>::collide_with_agent(std::uint32_t particle, std::uint32_t agent) 
   const Vector<D> before = present.velocity;
   present.guarded = rule_.guards(gas_, particle, now);
   ++progress_.counts.agent_events;
-  if (act(agent, particle, present)) {
+  const Outcome outcome = act(agent, particle, present);
+  if (outcome == Outcome::changed) {
     progress_.counts.guarded += present.guarded;
     rule_.set_last_contact(gas_, particle, now);
     if (stall_.contact(now, (present.velocity - before).norm())) refuse_collapse(particle, particle);
+  } else if (outcome == Outcome::gone) {
+    return let_go(particle, agent);
+  } else if (outcome == Outcome::converted) {
+    gas_.species[particle] = static_cast<std::uint8_t>(present.species);
   }
   Particle<D>& moved = gas_.particles[particle];
   moved.position = present.position;
@@ -149,15 +157,15 @@ void Engine<C>::collide_with_agent(std::uint32_t particle, std::uint32_t agent) 
 /// Draws come from the particle's own stream, named by its identity and the number of its changes so far: whatever others
 /// do meanwhile, and wherever, does not show.
 template <class C>
-bool Engine<C>::act(std::uint32_t agent, std::uint32_t particle, ParticleState<D>& present) {
+Outcome Engine<C>::act(std::uint32_t agent, std::uint32_t particle, ParticleState<D>& present) {
   Agent<D>& acting = *agents_[agent];
   std::uint32_t& changes = gas_.particles[particle].changes;
   Random random;
   if (acting.draws())
     random = Random(StreamKey(streams_.seed, Purpose::walls, streams_.replica, identity(particle)), changes);
-  const bool changed = acting.act(present, progress_.clock(), random);
-  if (changed || acting.draws()) ++changes;  // no stream is used twice
-  return changed;
+  const Outcome outcome = acting.act(present, progress_.clock(), random);
+  if (outcome == Outcome::changed || acting.draws()) ++changes;  // no stream is used twice
+  return outcome;
 }
 
 template <class C>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/event_driven/engine_events.hpp"
+#include "sim/method/event_driven/engine_exchange.hpp"
 #include "sim/method/event_driven/engine_state.hpp"
 #include "sim/method/event_driven/make_engine.hpp"
 

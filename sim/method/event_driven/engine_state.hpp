@@ -14,7 +14,7 @@ template <class C>
 Engine<C>::Engine(const Parameters<D>& parameters, Agents<D> agents, const Streams& streams,
                   EventSink<D>* trace)
     : parameters_(parameters),
-      conduct_(parameters.faults),
+      conduct_(parameters_),
       flight_(parameters.gravity),
       cells_(parameters.geometry, parameters.cell_edge()),
       search_(parameters, flight_),
@@ -23,7 +23,8 @@ Engine<C>::Engine(const Parameters<D>& parameters, Agents<D> agents, const Strea
       agents_by_cell_(cells_, agents_),
       draws_(std::ranges::any_of(agents_, [](const auto& agent) { return agent->draws(); })),
       streams_(streams),
-      trace_(trace) {
+      trace_(trace),
+      entrance_(parameters_, streams) {
   tally_.impact.assign(parameters.impact_bins, 0);
   if (parameters.count_by_species)
     tally_.by_species.assign(parameters.species.size() * parameters.species.size(), 0);
@@ -42,10 +43,13 @@ void Engine<C>::assign(const Particles<D>& particles) {
     gas_.next[i].cell = cells_.cell_of(gas_.particles[i].position);
   progress_.now = progress_.origin = 0;
   progress_.counts.agent_events = 0;
+  progress_.exchanges = 0;
+  entrance_ = Entrance<D>(parameters_, streams_);
+  next_id_ = gas_.size();
+  for (const std::uint64_t id : gas_.ids) next_id_ = std::max(next_id_, id + 1);
   stall_ = {};
   stall_.set_size(particles.phases.size());
   seen_ = -1;
-  prefetches_ = Prefetch<D>::pays(gas_.size());
   gas_.reorder(order_by_cell(gas_, cells_));
   fill_cells();
   for (std::uint32_t i = 0; i < gas_.size(); ++i) set_next(i, first_contact(i));
@@ -58,6 +62,7 @@ void Engine<C>::begin_era() {
   stall_.rebase(progress_.now);
   progress_.origin += progress_.now;
   progress_.now = 0;
+  if (gas_.gone > 0) gas_.close_ranks();
   gas_.reorder(order_by_cell(gas_, cells_));
   fill_cells();
   begin_calendar();
@@ -66,7 +71,8 @@ void Engine<C>::begin_era() {
 template <class C>
 void Engine<C>::begin_calendar() {
   progress_.era = plan_era(gas_);
-  progress_.events = 0;
+  progress_.events = progress_.exchanges = 0;
+  prefetches_ = Prefetch<D>::pays(gas_.size());
   fill_calendar();
 }
 
@@ -129,40 +135,62 @@ void Engine<C>::refuse_collapse(std::uint32_t i, std::uint32_t j) const {
 template <class C>
 auto Engine<C>::view() -> View<D> {
   if (seen_ != progress_.clock())
-    present_.take(gas_.size(), parameters_.geometry, [this](std::uint32_t i) { return state(i); });
+    present_.take(gas_, parameters_.geometry, [this](std::uint32_t i) { return state(i); });
   seen_ = progress_.clock();
   View<D> view = present_.view();
-  if (parameters_.keep_ids) view.columns.add(column::id, gas_.ids);
-  view.columns.add(column::spin<D>, gas_.spins);
-  if (parameters_.species.size() > 1) view.columns.add(column::species, gas_.species);
-  view.traits = parameters_.species;
+  if (parameters_.keep_ids) view.columns.add(column::id, present_.ids(gas_));
+  view.columns.add(column::spin<D>, present_.spins(gas_));
+  if (parameters_.own_species() > 1) view.columns.add(column::species, present_.species(gas_));
+  view.traits = std::span(parameters_.species).first(parameters_.own_species());
   view.tally = &tally_;
   view.planes = parameters_.planes;
   return view;
 }
 
+/// Of the last view, if somebody has left.
 template <class C>
 std::span<const std::uint64_t> Engine<C>::ids() const {
   if (!parameters_.keep_ids) return {};
-  return gas_.ids;
+  return present_.ids(gas_);
 }
 
 template <class C>
 std::map<std::string, double> Engine<C>::counters() const {
-  return {{"cell-crossings", static_cast<double>(progress_.counts.crossings)},
-          {"predictions", static_cast<double>(progress_.counts.predictions)},
-          {"guarded-collisions", static_cast<double>(progress_.counts.guarded)},
-          {"deepest-overlap", tally_.deepest_overlap}};
+  std::map<std::string, double> counters{
+      {"cell-crossings", static_cast<double>(progress_.counts.crossings)},
+      {"predictions", static_cast<double>(progress_.counts.predictions)},
+      {"guarded-collisions", static_cast<double>(progress_.counts.guarded)},
+      {"deepest-overlap", tally_.deepest_overlap}};
+  for (const auto& agent : agents_) agent->count(counters);
+  if (entrance_.used()) entrance_.count(counters);
+  return counters;
 }
 
 template <class C>
 Memory Engine<C>::save() const {
-  return save_state(gas_, agents_, progress_);
+  if (gas_.gone > 0) {
+    Gas<D> here = gas_;
+    here.close_ranks();
+    return with_entrance(save_state(here, agents_, progress_));
+  }
+  return with_entrance(save_state(gas_, agents_, progress_));
+}
+
+template <class C>
+Memory Engine<C>::with_entrance(Memory memory) const {
+  memory[kNextId] = {static_cast<double>(next_id_)};
+  if (entrance_.used()) memory[kEntrance] = entrance_.save();
+  return memory;
 }
 
 template <class C>
 void Engine<C>::load(const Memory& memory) {
   load_state(memory, gas_, agents_, progress_);
+  next_id_ = static_cast<std::uint64_t>(memory.at(kNextId).at(0));
+  if (const auto known = memory.find(kEntrance); known != memory.end()) {
+    entrance_.load(known->second);
+    open_entrance();
+  }
   seen_ = -1;
   fill_cells();
   fill_calendar();

@@ -12,10 +12,13 @@ namespace sandglass::event_driven {
 
 namespace {
 
-/// Walls and obstacles at rest, smooth and elastic, no gravity and no guard.
+/// Walls and obstacles at rest, smooth and elastic, closed sides, no gravity and no guard.
 Scene elastic_scene(const Scene& scene) {
   Scene elastic = scene;
   elastic.walls.clear();
+  for (auto& sides : elastic.domain.sides) std::ranges::replace(sides, Side::open, Side::specular);
+  elastic.inflows.clear();
+  elastic.outflows.clear();
   for (Obstacle& obstacle : elastic.obstacles) obstacle.surface = {};
   elastic.method.options = EventDrivenOptions{};
   return elastic;
@@ -40,9 +43,10 @@ class Builder final : public MethodBuilder<D> {
                                       const Attachments<D>& attachments) const override {
     Parameters<D> parameters = parameters_;
     parameters.planes = attachments.planes;
+    parameters.impulses = attachments.impulses;
     return make_event_driven<D>(
-        parameters, agents_of(faulty_scene_, parameters_, attachments.planes, attachments.impulses), streams,
-        attachments.trace);
+        parameters, agents_of(faulty_scene_, parameters_, streams, attachments.planes, attachments.impulses),
+        streams, attachments.trace);
   }
 
   /// No loss, spin or gravity, and no fault planted into what particles do.
@@ -56,9 +60,10 @@ class Builder final : public MethodBuilder<D> {
     elastic.impact_bins = 0;
     elastic.count_by_species = false;
     elastic.keep_ids = true;
+    elastic.heavy.reset();
     elastic.faults = {};
-    return make_event_driven<D>(elastic, agents_of<D>(elastic_scene(scene_), elastic, nullptr, nullptr),
-                                streams);
+    return make_event_driven<D>(
+        elastic, agents_of<D>(elastic_scene(scene_), elastic, streams, nullptr, nullptr), streams);
   }
 
   /// A tenth of a mean free time.
@@ -84,7 +89,7 @@ class Builder final : public MethodBuilder<D> {
  private:
   /// Also unasked: a wall or an obstacle that draws names its streams by particle.
   bool keeps_ids() const {
-    const Agents<D> agents = agents_of<D>(scene_, parameters_, nullptr, nullptr);
+    const Agents<D> agents = agents_of<D>(scene_, parameters_, {}, nullptr, nullptr);
     return parameters_.keep_ids ||
            std::ranges::any_of(agents, [](const auto& agent) { return agent->draws(); });
   }
@@ -106,6 +111,7 @@ class Builder final : public MethodBuilder<D> {
                  guard == CollapseGuard::velocity_dependent);
     plan.feature("collisional virial (observer pressure)", parameters_.measure_transfer);
     plan.feature("impact parameters", parameters_.impact_bins > 0);
+    plan.feature("heavy particles behind a filter", parameters_.heavy.has_value());
     plan.feature("event trace", scene_.output.event_trace.has_value());
   }
 
@@ -122,7 +128,8 @@ std::unique_ptr<MethodBuilder<D>> make_builder(const BuildRequest& request) {
 }  // namespace
 
 const FamilyBuilder& family() {
-  static const FamilyBuilder all{"event-driven", names_of_faults(planted_faults(), boundary_faults()),
+  static const FamilyBuilder all{"event-driven",
+                                 names_of_faults(planted_faults(), boundary_faults(), exchange_faults()),
                                  make_builder<2>, make_builder<3>};
   return all;
 }

@@ -14,7 +14,7 @@ std::size_t held(const T& column) {
 template <class T>
 void permute(T& column, const std::vector<std::uint32_t>& order) {
   if (column.empty()) return;
-  T sorted(column.size());
+  T sorted(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = column[order[i]];
   column.swap(sorted);
 }
@@ -22,6 +22,8 @@ void permute(T& column, const std::vector<std::uint32_t>& order) {
 
 template <int D>
 void Gas<D>::assign(const Particles<D>& start, const OptionalColumns& columns) {
+  kept = columns;
+  gone = 0;
   const std::size_t count = start.phases.size();
   particles.resize(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -38,14 +40,55 @@ void Gas<D>::assign(const Particles<D>& start, const OptionalColumns& columns) {
 }
 
 template <int D>
+void Gas<D>::append(const Newcomer<D>& newcomer, double time, std::uint64_t id) {
+  particles.push_back({newcomer.position, newcomer.velocity, time, 0, kNobody});
+  next.push_back({HUGE_VAL, HUGE_VAL, kNobody, 0, 0, 0});
+  if (kept.spins) spins.push_back(newcomer.spin);
+  if (kept.species) species.push_back(static_cast<std::uint8_t>(newcomer.species));
+  if (kept.last_contact) last_contact.push_back(-HUGE_VAL);
+  if (kept.ids) ids.push_back(id);
+}
+
+template <int D>
+void Gas<D>::drop(std::uint32_t particle) {
+  ++particles[particle].changes;
+  Next& none = next[particle];
+  none.time = none.contact = HUGE_VAL;
+  none.partner = none.exit = kNobody;
+  ++gone;
+}
+
+template <int D>
+std::vector<std::uint32_t> Gas<D>::places() const {
+  std::vector<std::uint32_t> places;
+  places.reserve(size() - gone);
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (is_here(i)) places.push_back(i);
+  return places;
+}
+
+/// Who expects one that has left learns of it at the time of that contact, as from a partner that has changed: its own
+/// number, with changes that it never has.
+template <int D>
+void Gas<D>::close_ranks() {
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (next[i].partner < kFirstAgent && !is_here(next[i].partner)) {
+      next[i].partner = i;
+      next[i].partner_changes = particles[i].changes + 1;
+    }
+  reorder(places());
+  gone = 0;
+}
+
+template <int D>
 void Gas<D>::reorder(const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> place(particles.size());
   permute(particles, order);
   permute(next, order);
   permute(spins, order);
   permute(species, order);
   permute(last_contact, order);
   permute(ids, order);
-  std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
   for (Next& event : next)
     if (event.partner < kFirstAgent) event.partner = place[event.partner];

@@ -23,10 +23,10 @@ double ObstacleAgent<D>::delay(const ParticleState<D>& particle, double) const {
 }
 
 template <int D>
-bool ObstacleAgent<D>::act(ParticleState<D>& particle, double, Random& random) {
+Outcome ObstacleAgent<D>::act(ParticleState<D>& particle, double, Random& random) {
   const Vector<D> normal = (particle.position - centre_).normalized();
   bounce<D>(rule_, normal, Vector<D>::Zero(), particle, random);
-  return true;
+  return Outcome::changed;
 }
 
 template class ObstacleAgent<2>;

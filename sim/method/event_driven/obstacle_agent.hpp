@@ -21,7 +21,7 @@ class ObstacleAgent final : public Agent<D> {
   bool reaches(const Box<D>& cell) const override;
   double delay(const ParticleState<D>& particle, double now) const override;
   bool draws() const override { return sandglass::draws(rule_); }
-  bool act(ParticleState<D>& particle, double now, Random& random) override;
+  Outcome act(ParticleState<D>& particle, double now, Random& random) override;
 
  private:
   Vector<D> centre_;

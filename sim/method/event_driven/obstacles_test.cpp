@@ -71,7 +71,7 @@ class CountedObstacle final : public Agent<2> {
   double delay(const ParticleState<2>& particle, double now) const override {
     return ++*questions_, obstacle_->delay(particle, now);
   }
-  bool act(ParticleState<2>& particle, double now, Random& random) override {
+  Outcome act(ParticleState<2>& particle, double now, Random& random) override {
     return obstacle_->act(particle, now, random);
   }
 

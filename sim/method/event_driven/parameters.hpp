@@ -7,9 +7,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace sandglass::event_driven {
+
+/// Species of those behind a filter, of a scene with one species of its own.
+inline constexpr std::size_t kHeavy = 1;
+
+/// Particles that have passed a filter: to all others a wall that moves with the stream.
+template <int D>
+struct HeavyParticles {
+  Vector<D> velocity = Vector<D>::Zero();
+  std::size_t side = 0;  ///< takes what others give them
+};
 
 template <int D>
 struct Parameters {
@@ -23,12 +34,16 @@ struct Parameters {
   std::size_t impact_bins = 0;
   bool count_by_species = false;  ///< Tally::by_species
   bool keep_ids = false;
-  std::uint64_t particles = 0;           ///< how many there will be, for the size of the cells
-  std::uint64_t obstacles = 0;           ///< likewise
-  std::vector<Plane>* planes = nullptr;  ///< those that agents count for
+  std::uint64_t particles = 0;             ///< how many there will be, for the size of the cells
+  std::uint64_t obstacles = 0;             ///< likewise
+  std::vector<Plane>* planes = nullptr;    ///< those that agents count for
+  WallImpulses<D>* impulses = nullptr;     ///< takes what comes in by the sides
+  std::optional<HeavyParticles<D>> heavy;  ///< behind a filter; the last of `species`, unknown to the scene
   Faults faults;
 
   const Surface& surface(std::size_t a, std::size_t b) const { return surfaces[a * species.size() + b]; }
+  /// Species of the scene.
+  std::size_t own_species() const { return species.size() - (heavy ? 1 : 0); }
   double largest_diameter() const {
     double largest = 0;
     for (const SpeciesTraits& kind : species) largest = std::max(largest, kind.diameter);

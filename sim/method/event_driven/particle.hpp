@@ -50,7 +50,8 @@ struct Next {
   std::uint32_t partner;          ///< a particle, an agent (kFirstAgent + index), or nobody
   std::uint32_t partner_changes;  ///< changes of the partner when the contact was predicted
   std::uint32_t cell;             ///< where the particle is
-  std::uint32_t exit;             ///< by which it leaves that cell: twice the axis, one more for upwards
+  std::uint32_t exit;  ///< by which it leaves that cell: twice the axis, one more for upwards; nobody for one
+                       ///< that has left the box
 };
 
 }  // namespace sandglass::event_driven

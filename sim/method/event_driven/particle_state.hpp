@@ -16,4 +16,12 @@ struct ParticleState {
   bool guarded = false;  ///< by the TC model: a dissipative contact is elastic
 };
 
+/// A particle that comes in.
+template <int D>
+struct Newcomer {
+  Vector<D> position, velocity;
+  Spin<D> spin = Spin<D>::Zero();
+  std::size_t species = 0;
+};
+
 }  // namespace sandglass::event_driven

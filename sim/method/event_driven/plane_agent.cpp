@@ -15,10 +15,10 @@ double PlaneAgent<D>::delay(const ParticleState<D>& particle, double) const {
 }
 
 template <int D>
-bool PlaneAgent<D>::act(ParticleState<D>& particle, double, Random&) {
+Outcome PlaneAgent<D>::act(ParticleState<D>& particle, double, Random&) {
   particle.position[plane_->axis()] = plane_->position();
   plane_->count(particle.velocity[plane_->axis()]);
-  return false;
+  return Outcome::unchanged;
 }
 
 template class PlaneAgent<2>;

@@ -17,7 +17,7 @@ class PlaneAgent final : public Agent<D> {
     return box;
   }
   double delay(const ParticleState<D>& particle, double now) const override;
-  bool act(ParticleState<D>& particle, double now, Random& random) override;
+  Outcome act(ParticleState<D>& particle, double now, Random& random) override;
 
  private:
   Plane* plane_;

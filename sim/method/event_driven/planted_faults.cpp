@@ -36,6 +36,13 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
        [](auto& p) { p.faults.stale_partner = true; }},
       {{"blind-crossings", "who enters a cell does not see who is ahead"},
        [](auto& p) { p.faults.blind_crossing = true; }},
+      {{"newcomers-lost", "one in twenty of those who come in by an inflow is lost"},
+       [](auto& p) { p.faults.lost_newcomers = true; }},
+      {{"outflows-draw-maxwellian",
+        "normal velocities of those whom outflows turn back are Maxwell's instead of its flux"},
+       [](auto& p) { p.faults.maxwellian_backflow = true; }},
+      {{"piston-stays-out", "the piston of a dispenser does not jump back"},
+       [](auto& p) { p.faults.staying_piston = true; }},
       {{"guard-dropped", "no collapse guard"},
        [](auto& p) {
          p.contact_time = 0;

@@ -32,6 +32,7 @@ struct Progress {
   std::uint64_t events = 0;  ///< of this era
   Era era;
   Counts counts;
+  std::uint64_t exchanges = 0;  ///< particles that have come or gone in this era
 
   double clock() const { return origin + now; }
 };

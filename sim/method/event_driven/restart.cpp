@@ -71,7 +71,8 @@ std::vector<double> numbers_of(const Progress& p) {
           static_cast<double>(p.counts.crossings),
           static_cast<double>(p.counts.predictions),
           static_cast<double>(p.counts.guarded),
-          static_cast<double>(p.counts.agent_events)};
+          static_cast<double>(p.counts.agent_events),
+          static_cast<double>(p.exchanges)};
 }
 
 Progress progress_of(const std::vector<double>& numbers) {
@@ -80,7 +81,8 @@ Progress progress_of(const std::vector<double>& numbers) {
           numbers.at(1),
           whole(5),
           {numbers.at(2), whole(3), whole(4)},
-          {whole(6), whole(7), whole(8), whole(9)}};
+          {whole(6), whole(7), whole(8), whole(9)},
+          whole(10)};
 }
 }  // namespace
 

@@ -3,9 +3,11 @@
 #include "sim/base/random.hpp"
 #include "sim/method/event_driven/event_driven.hpp"
 #include "sim/method/event_driven/obstacle_agent.hpp"
+#include "sim/method/event_driven/open_side_agent.hpp"
 #include "sim/method/event_driven/plane_agent.hpp"
 #include "sim/method/event_driven/wall_agent.hpp"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -47,15 +49,26 @@ struct TestGas {
       particles.columns.append(column::species, static_cast<std::uint8_t>(i % 2));
   }
   /// Specular walls at both sides of an axis that is not periodic.
-  void add_walls(int axis, const WallRule& rule = {}) {
+  void add_walls(int axis, const WallRule& rule = {}, WallImpulses<D>* impulses = nullptr) {
     for (const bool high : {false, true}) {
       WallPlace<D> place;
       place.axis = axis;
       place.high = high;
       place.edge = high ? parameters.geometry.box[axis] : 0;
       place.largest_radius = parameters.largest_diameter() / 2;
-      agents.push_back(
-          [this, place, rule] { return std::make_unique<WallAgent<D>>(place, rule, parameters.gravity); });
+      agents.push_back([this, place, rule, impulses] {
+        return std::make_unique<WallAgent<D>>(place, rule, parameters.gravity, impulses);
+      });
+    }
+    parameters.geometry.periodic[static_cast<std::size_t>(axis)] = false;
+  }
+  /// Both sides of an axis let particles out.
+  void add_open_sides(int axis, WallImpulses<D>* impulses = nullptr) {
+    for (const bool high : {false, true}) {
+      const SidePlace place{axis, high, high ? parameters.geometry.box[axis] : 0};
+      agents.push_back([this, place, impulses] {
+        return std::make_unique<OpenSideAgent<D>>(place, parameters.gravity, impulses);
+      });
     }
     parameters.geometry.periodic[static_cast<std::size_t>(axis)] = false;
   }
@@ -176,6 +189,22 @@ Vector<D> momentum(Simulator<D>& gas) {
   Vector<D> sum = Vector<D>::Zero();
   for (const Phase<D>& phase : gas.view().particles) sum += phase.velocity;
   return sum;
+}
+
+/// Smallest distance of two particles less their contact distance, by every pair and image.
+template <int D>
+double smallest_gap(Simulator<D>& gas, const Geometry<D>& geometry) {
+  const auto particles = gas.view().particles;
+  double smallest = HUGE_VAL;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      Vector<D> r = particles[i].position - particles[j].position;
+      for (int axis = 0; axis < D; ++axis)
+        if (geometry.periodic[static_cast<std::size_t>(axis)])
+          r[axis] -= geometry.box[axis] * std::nearbyint(r[axis] / geometry.box[axis]);
+      smallest = std::min(smallest, r.norm() - 1);
+    }
+  return smallest;
 }
 
 }  // namespace sandglass::event_driven

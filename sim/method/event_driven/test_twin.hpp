@@ -2,13 +2,15 @@
 
 #include "sim/method/event_driven/test_gas.hpp"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 namespace sandglass::event_driven {
 
 /// The slow twin of the engine: one clock, every pair and every image looked at for every event, all particles moved.
 /// Nothing but the collision rule of `sim/physics` is shared. Smooth and rough particles, species, TC model, uniform
-/// gravity, specular walls and obstacles.
+/// gravity, specular walls, obstacles, open sides and particles that come in by them.
 template <int D>
 class AllPairs {
  public:
@@ -16,12 +18,15 @@ class AllPairs {
     double time;
     std::uint64_t first, second;  ///< first < second; kWall or kObstacle + number
   };
-  static constexpr std::uint64_t kWall = 1000, kObstacle = 2000;
+  static constexpr std::uint64_t kWall = 1000, kObstacle = 2000, kArrival = 3000;
 
   explicit AllPairs(const TestGas<D>& gas) : parameters_(gas.parameters), particles_(gas.particles) {
     last_.assign(particles_.phases.size(), -HUGE_VAL);
   }
   void add_obstacle(const Vector<D>& centre, double radius) { obstacles_.push_back({centre, radius}); }
+  void open_sides(int axis) { open_[static_cast<std::size_t>(axis)] = true; }
+  /// In the order of their times; smooth particles of the first species.
+  void add_arrival(double time, const Phase<D>& phase) { arrivals_.push_back({time, phase}); }
   std::size_t obstacles() const { return obstacles_.size(); }
 
   TwinEvent advance() {
@@ -34,6 +39,7 @@ class AllPairs {
         continue;
       }
       perform(next);
+      if (next.second == kArrival) continue;
       return {clock_, next.first, next.second};
     }
   }
@@ -54,9 +60,13 @@ class AllPairs {
 
   TwinEvent first_event() const {
     TwinEvent next{HUGE_VAL, 0, 0};
+    if (arrived_ < arrivals_.size())
+      next = {std::max(0.0, arrivals_[arrived_].time - clock_), particles_.phases.size(), kArrival};
     for (std::size_t i = 0; i < particles_.phases.size(); ++i) {
+      if (gone_.contains(i)) continue;
       consider_walls_and_obstacles(i, next);
-      for (std::size_t j = i + 1; j < particles_.phases.size(); ++j) consider_pair(i, j, next);
+      for (std::size_t j = i + 1; j < particles_.phases.size(); ++j)
+        if (!gone_.contains(j)) consider_pair(i, j, next);
     }
     return next;
   }
@@ -64,10 +74,17 @@ class AllPairs {
   void perform(const TwinEvent& next) {
     move(next.time);
     clock_ += next.time;
-    if (next.second >= kWall)
+    if (next.second == kArrival)
+      arrive();
+    else if (next.second >= kWall)
       bounce(next);
     else
       collide(next.first, next.second);
+  }
+
+  void arrive() {
+    particles_.phases.push_back(arrivals_[arrived_++].phase);
+    last_.push_back(-HUGE_VAL);
   }
 
   std::size_t kind(std::size_t i) const {
@@ -123,8 +140,8 @@ class AllPairs {
 
   void consider_walls_and_obstacles(std::size_t i, TwinEvent& next) const {
     const Phase<D>& phase = particles_.phases[i];
-    const double radius = traits(i).diameter / 2;
     for (int axis = 0; axis < D; ++axis) {
+      const double radius = open_[static_cast<std::size_t>(axis)] ? 0 : traits(i).diameter / 2;
       if (parameters_.geometry.periodic[static_cast<std::size_t>(axis)]) continue;
       const double x = phase.position[axis], v = phase.velocity[axis], g = parameters_.gravity[axis];
       const double low = time_to_fall(x - radius, v, g);
@@ -134,8 +151,8 @@ class AllPairs {
       if (high < next.time) next = {high, i, wall + 1};
     }
     for (std::size_t k = 0; k < obstacles_.size(); ++k) {
-      const double time =
-          time_to_touch(phase.position - obstacles_[k].centre, phase.velocity, obstacles_[k].radius + radius);
+      const double time = time_to_touch(phase.position - obstacles_[k].centre, phase.velocity,
+                                        obstacles_[k].radius + traits(i).diameter / 2);
       if (time < next.time) next = {time, i, kObstacle + k};
     }
   }
@@ -153,6 +170,10 @@ class AllPairs {
 
   void bounce(const TwinEvent& event) {
     Phase<D>& phase = particles_.phases[event.first];
+    if (event.second < kObstacle && open_[(event.second - kWall) / 2]) {
+      gone_.insert(event.first);
+      return;
+    }
     Vector<D> normal = Vector<D>::Unit(static_cast<int>(event.second - kWall) / 2 % D);
     if (event.second >= kObstacle)
       normal = (phase.position - obstacles_[event.second - kObstacle].centre).normalized();
@@ -183,16 +204,22 @@ class AllPairs {
   Particles<D> particles_;
   std::vector<double> last_;
   std::vector<Obstacle> obstacles_;
+  struct Arrival {
+    double time;
+    Phase<D> phase;
+  };
+  std::array<bool, D> open_{};
+  std::vector<Arrival> arrivals_;
+  std::size_t arrived_ = 0;
+  std::set<std::size_t> gone_;
   double clock_ = 0;
 };
 
 /// The engine and its slow twin find the same pairs at the same times. Rounding grows about tenfold per collision of a
-/// particle: the comparison ends before it shows.
+/// particle: the comparison ends before it shows. `first_obstacle`: number of the agent.
 template <int D>
-void expect_same_events(const TestGas<D>& gas, AllPairs<D> twin, std::size_t count) {
-  Recorder<D> trace;
-  const auto engine = gas.make(&trace);
-  for (int i = 0; trace.events.size() < count && i < 100000; ++i) engine->step(0.01, 0);
+void expect_same_trace(const Recorder<D>& trace, AllPairs<D> twin, std::size_t count,
+                       std::uint64_t first_obstacle) {
   ASSERT_GE(trace.events.size(), count);
   for (std::size_t k = 0; k < count; ++k) {
     const Event<D>& event = trace.events[k];
@@ -203,13 +230,19 @@ void expect_same_events(const TestGas<D>& gas, AllPairs<D> twin, std::size_t cou
     if (agent) {
       ASSERT_GE(expected.second, AllPairs<D>::kWall) << "event " << k;
       if (expected.second >= AllPairs<D>::kObstacle) {
-        const std::uint64_t first_obstacle = gas.agents.size() - twin.obstacles();
         ASSERT_EQ(event.second - first_obstacle, expected.second - AllPairs<D>::kObstacle) << "event " << k;
       }
     } else {
       ASSERT_EQ(std::max(event.first, event.second), expected.second) << "event " << k;
     }
   }
+}
+template <int D>
+void expect_same_events(const TestGas<D>& gas, const AllPairs<D>& twin, std::size_t count) {
+  Recorder<D> trace;
+  const auto engine = gas.make(&trace);
+  for (int i = 0; trace.events.size() < count && i < 100000; ++i) engine->step(0.01, 0);
+  expect_same_trace(trace, twin, count, gas.agents.size() - twin.obstacles());
 }
 template <int D>
 void expect_same_events(const TestGas<D>& gas, std::size_t count) {

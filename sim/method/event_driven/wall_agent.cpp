@@ -37,7 +37,7 @@ double WallAgent<D>::delay(const ParticleState<D>& particle, double now) const {
 }
 
 template <int D>
-bool WallAgent<D>::act(ParticleState<D>& particle, double now, Random& random) {
+Outcome WallAgent<D>::act(ParticleState<D>& particle, double now, Random& random) {
   const Vector<D> normal = inward_ * Vector<D>::Unit(place_.axis);
   Vector<D> surface = place_.velocity;
   surface[place_.axis] = inward_ * motion_.velocity_at(now);
@@ -48,7 +48,7 @@ bool WallAgent<D>::act(ParticleState<D>& particle, double now, Random& random) {
     impulses_->add(WallImpulses<D>::side(place_.axis, place_.high),
                    particle.mass * (before - particle.velocity), surface,
                    energy - energy_beside(surface, at_wall(particle)));
-  return true;
+  return Outcome::changed;
 }
 
 template class WallAgent<2>;

@@ -28,7 +28,7 @@ class WallAgent final : public Agent<D> {
   Box<D> reach() const override;
   double delay(const ParticleState<D>& particle, double now) const override;
   bool draws() const override { return sandglass::draws(rule_); }
-  bool act(ParticleState<D>& particle, double now, Random& random) override;
+  Outcome act(ParticleState<D>& particle, double now, Random& random) override;
 
  private:
   WallPlace<D> place_;

@@ -1,5 +1,5 @@
 #include "sim/base/packing.hpp"
-#include "sim/scene/method/capabilities.hpp"
+#include "sim/scene/method/family.hpp"
 #include "sim/scene/rules.hpp"
 #include "sim/scene/text/bounds.hpp"
 #include "sim/scene/words.hpp"
@@ -35,26 +35,16 @@ class InflowRules {
     if (!good) return;
     check_packing();
     check_rate();
+    if (inflow_.entry == InflowEntry::dispenser) check_dispenser();
   }
 
  private:
   std::string key(const char* name) const { return path_ + '.' + name; }
 
   bool check_side() {
-    if (!sandglass::check_side(scene_.domain, inflow_.axis, inflow_.high, key("side"), diagnostics_))
-      return false;
-    const Side side = scene_.domain.sides[static_cast<std::size_t>(inflow_.axis)][inflow_.high];
-    if (side != Side::open) {
-      const std::string& axis = axis_words()[static_cast<std::size_t>(inflow_.axis)].first;
-      diagnostics_.report(
-          key("side"),
-          fmt::format("{} is '{}', which is {}; a stream comes in by an open side: [domain.sides] "
-                      "{} = \"open\", or a list with \"open\" for this side",
-                      shown(key("side")), side_of(inflow_), side == Side::periodic ? "periodic" : "a wall",
-                      axis));
-      return false;
-    }
-    return check_walls_beside();
+    return check_open_side(scene_, inflow_.axis, inflow_.high, key("side"), "a stream comes in by",
+                           diagnostics_) &&
+           check_walls_beside();
   }
 
   /// Particles enter anywhere on the side: no wall may slide over it.
@@ -97,7 +87,8 @@ class InflowRules {
 
   void check_rate() {
     const double rate = inflow_rate(scene_, inflow_);
-    if (!(rate > 0))
+    const bool rests = inflow_.entry == InflowEntry::dispenser;  // a piston may stand still
+    if (!(rate > 0) && !rests)
       return diagnostics_.report(
           key("velocity"),
           fmt::format("nothing comes in by '{}': at temperature {} no particle moves against this stream; "
@@ -109,6 +100,59 @@ class InflowRules {
                         fmt::format("{:.4g} particles come in by '{}' in one step; at most {} are allowed: "
                                     "shorten 'method.time-step' or raise 'method.weight'",
                                     rate * step, side_of(inflow_), most_in_a_step));
+  }
+
+  void report(const char* name, const std::string& message) {
+    if (diagnostics_.clean(key(name))) diagnostics_.report(key(name), message);
+  }
+
+  /// A piston sweeps the whole side, and a layer of particles that do not overlap fits behind it.
+  void check_dispenser() {
+    if (!capabilities(scene_).contacts)
+      return report("entry", "a dispenser makes room for particles with a surface: use the method " +
+                                 presets_that([](const Capabilities& can) { return can.contacts; }) +
+                                 ", or entry = \"flux\"");
+    if (scene_.domain.dimension != 2)
+      return report("entry", "a dispenser lays rows of disks, in 2 dimensions: use entry = \"flux\"");
+    for (const Inflow& other : scene_.inflows)
+      if (&other != &inflow_ && other.axis == inflow_.axis && other.high == inflow_.high)
+        return report("side",
+                      fmt::format("the piston of a dispenser closes '{}', and another [[inflow]] comes in "
+                                  "there; keep one of them",
+                                  side_of(inflow_)));
+    const auto axis = static_cast<std::size_t>(inflow_.axis);
+    const double along = inflow_.velocity.empty() ? 0 : (inflow_.high ? -1 : 1) * inflow_.velocity[axis];
+    if (along < 0)
+      return report("velocity", "a piston moves into the box or stands still: turn 'velocity' round");
+    check_layer(scene_.domain.size[axis], volume(scene_.domain) / scene_.domain.size[axis]);
+  }
+
+  void check_layer(double length, double side) {
+    const double diameter = scene_.species[inflow_.species].diameter, count = layer_count(scene_, inflow_);
+    if (count * diameter > side * (1 + 1e-12))
+      return report(
+          "number-density",
+          fmt::format("a layer of {} particles of diameter {} does not fit a side of {}: lower "
+                      "'inflow.number-density' to {:.4g}, a fraction of {:.4g}, or use a wider side",
+                      count, diameter, side, std::floor(side / diameter) / (diameter * side),
+                      std::floor(side / diameter) / (diameter * side) *
+                          particle_volume(scene_.species[inflow_.species], 2)));
+    const double stroke = count / (inflow_.number_density * side), reach = stroke + largest_diameter(scene_);
+    if (length < 2 * reach)
+      report("number-density",
+             fmt::format("the piston moves {:.4g} into a box of {}, which has no room left for the "
+                         "stream: raise 'inflow.number-density' or lengthen the box",
+                         stroke, length));
+    const auto axis = static_cast<std::size_t>(inflow_.axis);
+    for (const Obstacle& obstacle : scene_.obstacles) {
+      const double away = inflow_.high ? length - obstacle.centre[axis] : obstacle.centre[axis];
+      if (away - obstacle.radius < reach)
+        report(
+            "side",
+            fmt::format("an obstacle stands {:.4g} from '{}', and the piston with a particle in front of it "
+                        "moves {:.4g} into the box; move the obstacle",
+                        away - obstacle.radius, side_of(inflow_), reach));
+    }
   }
 
   const Scene& scene_;

@@ -135,20 +135,18 @@ duration = { time = 100.0 }
 [domain]
 dimension = 2
 size = [40.0, 30.0]
-sides.x = "specular"
+sides = { x = "specular", y = "specular" }
 [[species]]
 count = 10
 [method]
-preset = "event-driven"
+preset = "mixing"
 time-step = 0.1
-[initial]
-positions = "lattice"
 )",
                  {"",
                   "",
                   "[[inflow]]\nside = 'x-low'\nnumber-density = 1.0\ntemperature = 1.0\n",
-                  "14:1",
-                  {"'inflow' cannot be used with the method 'event-driven', only with", "'dsmc'"}});
+                  "12:1",
+                  {"'inflow' cannot be used with the method 'mixing', only with", "'dsmc'"}});
 }
 
 }  // namespace

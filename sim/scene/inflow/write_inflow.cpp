@@ -11,7 +11,11 @@ void write_inflow(Lines& lines, const Inflow& inflow, const Scene& scene) {
   if (!inflow.velocity.empty()) lines.add("velocity", inflow.velocity);
   lines.add("temperature", inflow.temperature);
   lines.add("spin-temperature", inflow.spin_temperature);
-  lines.add("arrivals", word_of(arrivals_words(), inflow.arrivals));
+  lines.add("entry", word_of(entry_words(), inflow.entry));
+  if (inflow.entry == InflowEntry::flux)
+    lines.add("arrivals", word_of(arrivals_words(), inflow.arrivals));
+  else
+    lines.add("piston", word_of(piston_words(), inflow.piston));
 }
 
 }  // namespace sandglass

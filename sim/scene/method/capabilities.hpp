@@ -21,6 +21,7 @@ struct Capabilities {
   bool gravity = true;
   bool event_trace = false;
   bool varying_number = false;  ///< particles may enter and leave
+  bool outflows = false;        ///< open sides may send back some of those who come
   bool cells = false;           ///< that the scene may choose, and in which particles collide
   bool restartable = true;
   bool ranks = false;  ///< runs on more than one

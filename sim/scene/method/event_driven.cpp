@@ -96,6 +96,8 @@ MethodFamily make_family() {
   family.can.wall_rules = {specular, bounce_back, random_tangential_sign, thermal};
   family.can.obstacles = true;
   family.can.event_trace = true;
+  family.can.varying_number = true;
+  family.can.outflows = true;
   family.presets = {{{"event-driven", "exact event-driven hard disks and spheres"}, EventDrivenOptions{}}};
   family.keys = {"collapse-guard", "contact-time", "reference-speed"};
   family.refused = {{{"contact-factor", "density", "offset", "random-offset", "pair-count"},

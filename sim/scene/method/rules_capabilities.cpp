@@ -77,6 +77,9 @@ void check_boundaries(const Scene& scene, Refusals& refusals) {
   refusals.unable(!scene.regions.empty(), "region", [](const Capabilities& can) { return can.regions; });
   refusals.unable(!scene.sources.empty(), "source", can_vary);
   refusals.unable(!scene.inflows.empty(), "inflow", can_vary);
+  refusals.unable(
+      !scene.outflows.empty(), "outflow", [](const Capabilities& can) { return can.outflows; },
+      "an [[inflow]] at that side with the velocity of the stream sends back as many on average");
   refusals.unable(!scene.gravity.empty(), "forces.gravity",
                   [](const Capabilities& can) { return can.gravity; });
 }
@@ -93,8 +96,11 @@ void check_particles(const Scene& scene, Refusals& refusals) {
                    "takes every particle for a real one: it must be 1");
 }
 
-bool overlaps(Positions positions) {
-  return positions == Positions::random || positions == Positions::barometric;
+/// Particles are placed, and may overlap. Nobody does in a box that starts empty.
+bool overlaps(const Scene& scene) {
+  const Positions positions = scene.initial.positions;
+  return scene.given.empty() && particle_count(scene) > 0 &&
+         (positions == Positions::random || positions == Positions::barometric);
 }
 
 /// What needs particles in a box.
@@ -119,8 +125,7 @@ void check_contents(const Scene& scene, Refusals& refusals) {
                   [](const Capabilities& can) { return can.event_trace; });
   refusals.when(scene.output.event_trace && scene.output.event_trace->empty(), "output.event-trace",
                 "'output.event-trace' is empty; name a file");
-  refusals.when(refusals.can.contacts && scene.given.empty() && overlaps(initial.positions) &&
-                    !refusals.reported("particle"),
+  refusals.when(refusals.can.contacts && overlaps(scene) && !refusals.reported("particle"),
                 "initial.positions",
                 "positions = \"random\" (the default) lets hard particles overlap; use \"lattice\" or "
                 "\"random-without-overlap\" with the method '" +

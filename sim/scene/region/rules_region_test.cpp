@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sandglass {
+namespace sandglass::rules_region_test {
 namespace {
 
 const std::string good = R"([run]
@@ -157,4 +157,4 @@ time-step = 0.1
 }
 
 }  // namespace
-}  // namespace sandglass
+}  // namespace sandglass::rules_region_test

@@ -1,3 +1,4 @@
+#include "sim/scene/method/capabilities.hpp"
 #include "sim/scene/rules.hpp"
 #include "sim/scene/text/bounds.hpp"
 #include "sim/scene/words.hpp"
@@ -52,12 +53,22 @@ class SourceRules {
       check_vector(diagnostics_, key("velocity"), source_.velocity, scene_.domain.dimension, speed());
   }
 
+  /// That the surface of what it pours keeps from walls and obstacles.
+  double margin() const {
+    return capabilities(scene_).contacts && diagnostics_.clean("species")
+               ? scene_.species.front().diameter / 2
+               : 0;
+  }
+
   /// Above a pile: there must be an up and something that piles up.
   bool check_height() {
     if (!source_.height) return true;
     const std::string path = key("height");
     if (!diagnostics_.clean(path) || !diagnostics_.clean("forces")) return false;
-    if (!check_bounds(diagnostics_, path, *source_.height, positive())) return false;
+    const bool hard = capabilities(scene_).contacts && diagnostics_.clean("species");
+    if (!check_bounds(diagnostics_, path, *source_.height,
+                      hard ? at_least(largest_diameter(scene_)) : positive()))
+      return false;
     const std::optional<std::size_t> down = gravity_axis(scene_);
     if (!down || scene_.domain.sides[*down][0] == Side::periodic) {
       diagnostics_.report(path,
@@ -139,7 +150,8 @@ class SourceRules {
 
   void check_inside(std::size_t i) {
     const std::size_t axis = axes_[i];
-    const double low = swing(axis, false), high = scene_.domain.size[axis] - swing(axis, true);
+    const double away = scene_.domain.sides[axis][0] == Side::periodic ? 0 : margin();
+    const double low = swing(axis, false) + away, high = scene_.domain.size[axis] - swing(axis, true) - away;
     if (source_.centre[i] - reach(i) >= low && source_.centre[i] + reach(i) <= high) return;
     diagnostics_.report(
         item_path(key("centre"), i),
@@ -155,7 +167,8 @@ class SourceRules {
         const double gap = std::fabs(obstacle.centre[axis] - source_.centre[axis]) - reach(axis);
         square += std::max(0.0, gap) * std::max(0.0, gap);
       }
-      if (square >= obstacle.radius * obstacle.radius) continue;
+      const double reach = obstacle.radius + margin();
+      if (square >= reach * reach) continue;
       diagnostics_.report(key("centre"), "the source reaches into an obstacle of radius " +
                                              fmt::format("{}", obstacle.radius) +
                                              "; move 'source.centre' or narrow 'source.width'");

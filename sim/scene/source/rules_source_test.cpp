@@ -124,34 +124,44 @@ const std::vector<BadEdit> errors = {
 
 INSTANTIATE_TEST_SUITE_P(Source, SourceErrors, testing::ValuesIn(errors), edit_name);
 
-const std::string hard = R"([run]
+const std::string fixed = R"([run]
 duration = { time = 100.0 }
 [domain]
 dimension = 2
 size = [40.0, 30.0]
-sides.x = "specular"
+sides = { x = "specular", y = "specular" }
 [[species]]
 count = 10
 [method]
-preset = "event-driven"
+preset = "mixing"
 time-step = 0.1
-[initial]
-positions = "lattice"
 )";
 
 TEST(Sources, NeedAMethodWhoseNumberMayChange) {
-  expect_refused(hard, {"",
-                        "",
-                        "[[source]]\nrate = 1\ncentre = [1, 1]\n",
-                        "14:1",
-                        {"'source' cannot be used with the method 'event-driven', only with", "'dsmc'"}});
-  expect_refused(hard, {"",
-                        "\"specular\"",
-                        "\"open\"",
-                        "6:11",
-                        {"a side that lets particles out cannot be used with the method 'event-driven'",
-                         "use \"specular\" or \"periodic\""}});
+  expect_refused(fixed, {"",
+                         "",
+                         "[[source]]\nrate = 1\ncentre = [1, 1]\n",
+                         "12:1",
+                         {"'source' cannot be used with the method 'mixing', only with", "'dsmc'"}});
 }
+
+/// Particles with a surface need room for it.
+const std::string hard = spoiled(
+    spoiled(spoiled(good, {"", "preset = \"dsmc\"\ncell-size = 2.0", "preset = \"event-driven\"", "", {}}),
+            {"", "count = 0", "count = 0\ndiameter = 1.5", "", {}}),
+    {"", "rate = 1.5", "rate = 1.2", "", {}});
+
+class HardSources : public testing::TestWithParam<BadEdit> {};
+
+TEST_P(HardSources, AreRefusedWithPlaceAndReason) { expect_refused(hard, GetParam()); }
+
+const std::vector<BadEdit> hard_errors = {
+    {"in_a_wall", "[30.0, 20.0]", "[30.0, 0.7]", "25:17", {"into a wall; allowed: 0.75 to 29.25"}},
+    {"in_an_obstacle", "[30.0, 20.0]", "[12.5, 10.0]", "25:10", {"reaches into an obstacle of radius 2"}},
+    {"low", "height = 5.0", "height = 1.4", "19:10", {"'source.height' is 1.4; allowed: 1.5 or more"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Source, HardSources, testing::ValuesIn(hard_errors), edit_name);
 
 TEST(OpenSides, AreNeitherPeriodicNorWalled) {
   expect_refused(
