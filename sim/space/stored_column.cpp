@@ -19,6 +19,10 @@ class StoredColumnOf final : public StoredColumn {
     values_.resize(particles, initial_);
     next_.resize(particles);
   }
+  void shrink() override {
+    values_.shrink_to_fit();
+    next_.shrink_to_fit();
+  }
   void write(std::size_t first, const ColumnView& values) override {
     const T* source = static_cast<const T*>(values.numbers);
     std::copy(source, source + values.particles, values_.begin() + static_cast<std::ptrdiff_t>(first));
