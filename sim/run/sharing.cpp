@@ -15,11 +15,11 @@ Sharing sharing_of(const Scene& scene, std::size_t ranks, bool goes_on) {
   if (whole.empty()) return Sharing::cells;
   if (scene.run.replicas < ranks)
     throw InputError(
-        fmt::format("error: started on {} ranks, but {} keeps the cells of a replica on one rank, and there "
+        fmt::format("started on {} ranks, but {} keeps the cells of a replica on one rank, and there "
                     "are not as many replicas; start it on one rank, or set 'run.replicas' to {} or more",
                     ranks, whole, ranks));
   throw InputError(
-      fmt::format("error: started on {} ranks, but {} keeps the cells of a replica on one rank, and ranks "
+      fmt::format("started on {} ranks, but {} keeps the cells of a replica on one rank, and ranks "
                   "that share replicas neither write nor read checkpoints; start it on one rank{}",
                   ranks, whole, goes_on ? "" : ", or remove 'output.checkpoint'"));
 }

@@ -7,7 +7,7 @@ namespace sandglass {
 namespace {
 /// Sorts between two looks at the balance, and the largest share over the mean above which cells change hands: the counts
 /// of all cells travel then.
-constexpr std::uint64_t kLook = 50;
+constexpr std::uint64_t kLook = 20;
 constexpr double kLargest = 1.05;
 
 /// The largest of all sizes over their mean.
