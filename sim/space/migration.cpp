@@ -1,5 +1,6 @@
 #include "sim/space/migration.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace sandglass {
@@ -26,17 +27,17 @@ std::vector<std::uint32_t> cells_in(const Bytes& message) {
   return cells;
 }
 
-/// `rank_in(cell)`: of the next particle among the arrivals of its cell.
-template <int D, class RankInCell>
-void take_in(ParticleStore<D>& store, const Bytes& message, RankInCell rank_in) {
+/// Behind those that arrive in their cells already.
+template <int D>
+void take_in(ParticleStore<D>& store, const Bytes& message) {
   std::vector<CellPlace> places;
-  for (const std::uint32_t cell : cells_in(message)) places.push_back({cell, rank_in(cell)});
+  for (const std::uint32_t cell : cells_in(message)) places.push_back({cell, store.arrivals()[cell]++});
   store.unpack(message, places);
 }
-}  // namespace
 
+/// Those who arrive in cells of others, in messages to these, and out of the store at the coming sort.
 template <int D>
-std::vector<Bytes> Migration<D>::take_leaving(ParticleStore<D>& store, const SharedCells& cells) {
+std::vector<Bytes> take_leaving(ParticleStore<D>& store, const SharedCells& cells) {
   const std::uint32_t first = cells.first(), own = cells.last() - first, removed = store.removed();
   std::vector<std::vector<std::uint32_t>> places(cells.ranks().count()), arrive(places.size());
   CellPlace* place = store.places();
@@ -57,35 +58,39 @@ std::vector<Bytes> Migration<D>::take_leaving(ParticleStore<D>& store, const Sha
   return messages;
 }
 
-template <int D>
-void Migration<D>::make_room_for(ParticleStore<D>& store, const SharedCells& cells,
-                                 std::span<const Bytes> from_below) {
-  std::fill(from_below_.begin() + cells.first(), from_below_.begin() + cells.last(), 0u);
-  bool any = false;
-  for (const Bytes& message : from_below)
-    for (const std::uint32_t cell : cells_in(message)) {
-      ++from_below_[cell];
-      any = true;
-    }
-  if (!any) return;
-  CellPlace* place = store.places();
-  for (std::size_t i = 0; i < store.size(); ++i)
-    if (place[i].cell != store.removed()) place[i].rank += from_below_[place[i].cell];
-  for (std::uint32_t cell = cells.first(); cell < cells.last(); ++cell)
-    store.arrivals()[cell] += from_below_[cell];
-}
+/// A cell where particles from lower ranks arrive.
+struct Mixed {
+  std::uint32_t cell, own, from_below;
+};
 
+std::vector<Mixed> mixed_cells(std::span<const Bytes> from_below, const std::uint32_t* arrivals) {
+  std::vector<std::uint32_t> arrive;
+  for (const Bytes& message : from_below) {
+    const std::vector<std::uint32_t> cells = cells_in(message);
+    arrive.insert(arrive.end(), cells.begin(), cells.end());
+  }
+  std::ranges::sort(arrive);
+  std::vector<Mixed> mixed;
+  for (const std::uint32_t cell : arrive) {
+    if (mixed.empty() || mixed.back().cell != cell) mixed.push_back({cell, arrivals[cell], 0});
+    ++mixed.back().from_below;
+  }
+  return mixed;
+}
+}  // namespace
+
+/// Those from lower ranks are put before the own ones when all stand in their cells: few cells have any.
 template <int D>
-void Migration<D>::apply(ParticleStore<D>& store, const SharedCells& cells) {
+void migrate_and_sort(ParticleStore<D>& store, const SharedCells& cells) {
   const std::vector<Bytes> messages = cells.ranks().exchange(take_leaving(store, cells));
-  const std::size_t rank = cells.ranks().rank();
-  const std::span<const Bytes> all = messages;
-  make_room_for(store, cells, all.first(rank));
-  std::fill(from_below_.begin() + cells.first(), from_below_.begin() + cells.last(), 0u);
-  for (const Bytes& message : all.first(rank))
-    take_in(store, message, [this](std::uint32_t cell) { return from_below_[cell]++; });
-  for (const Bytes& message : all.subspan(rank + 1))
-    take_in(store, message, [&store](std::uint32_t cell) { return store.arrivals()[cell]++; });
+  const std::span<const Bytes> from_below = std::span(messages).first(cells.ranks().rank());
+  const std::vector<Mixed> mixed = mixed_cells(from_below, store.arrivals());
+  for (const Bytes& message : messages) take_in(store, message);
+  store.sort();
+  for (const auto& [cell, own, below] : mixed) {
+    const std::size_t first = store.offsets()[cell];
+    store.rotate(first, first + own, first + own + below);
+  }
 }
 
 template <int D>
@@ -98,13 +103,12 @@ void gather(const ParticleStore<D>& store, const SharedCells& cells, ParticleSto
   const auto messages = gather(cells.ranks(), message_of<D>(store, places, in_cells));
   if (!cells.ranks().is_first()) return;
   all.clear();
-  for (const Bytes& message : messages)
-    take_in(all, message, [&all](std::uint32_t cell) { return all.arrivals()[cell]++; });
+  for (const Bytes& message : messages) take_in(all, message);
   all.sort();
 }
 
-template class Migration<2>;
-template class Migration<3>;
+template void migrate_and_sort(ParticleStore<2>&, const SharedCells&);
+template void migrate_and_sort(ParticleStore<3>&, const SharedCells&);
 template void gather(const ParticleStore<2>&, const SharedCells&, ParticleStore<2>&);
 template void gather(const ParticleStore<3>&, const SharedCells&, ParticleStore<3>&);
 

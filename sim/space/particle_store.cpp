@@ -179,12 +179,20 @@ void ParticleStore<D>::clear() {
   begin_step();
 }
 
+/// A few more may arrive than leave.
 template <int D>
 void ParticleStore<D>::shrink() {
-  phase_.shrink_to_fit();
-  next_phase_.shrink_to_fit();
-  place_.shrink_to_fit();
-  for (const auto& column : columns_) column->shrink();
+  const std::size_t room = size() + size() / 8;
+  sandglass::shrink(phase_, room);
+  sandglass::shrink(next_phase_, room);
+  sandglass::shrink(place_, room);
+  for (const auto& column : columns_) column->shrink(room);
+}
+
+template <int D>
+void ParticleStore<D>::rotate(std::size_t first, std::size_t middle, std::size_t last) {
+  sandglass::rotate(phase_, first, middle, last);
+  for (const auto& column : columns_) column->rotate(first, middle, last);
 }
 
 template <int D>

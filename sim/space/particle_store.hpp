@@ -68,6 +68,8 @@ class ParticleStore {
   void clear();
   /// Gives back the memory of many who have left.
   void shrink();
+  /// As std::rotate, within a cell.
+  void rotate(std::size_t first, std::size_t middle, std::size_t last);
 
   /// Takes particles in the given order and sorts them into cells. Columns that it keeps and that are not given get their
   /// initial value, ids the numbers 0, 1, ... Throws InputError as insert().

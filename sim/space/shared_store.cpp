@@ -24,7 +24,7 @@ double imbalance(Communicator& ranks, std::uint64_t own) {
 template <int D>
 SharedStore<D>::SharedStore(ParticleStore<D>& store, const std::vector<ColumnInfo>& columns,
                             Communicator& ranks)
-    : store_(store), work_(store.cells().size()), migration_(store.cells().size()) {
+    : store_(store), work_(store.cells().size()) {
   work_.share(ranks);
   if (ranks.is_first()) all_.emplace(store.cells(), columns);
 }
@@ -43,8 +43,7 @@ void SharedStore<D>::keep_own() {
 
 template <int D>
 void SharedStore<D>::sort() {
-  migration_.apply(store_, work_);
-  store_.sort();
+  migrate_and_sort(store_, work_);
   if (++sorts_ % kLook == 0) balance();
 }
 
@@ -57,8 +56,7 @@ void SharedStore<D>::balance() {
   if (largest_share(offsets, cuts) >= largest_share(offsets, work_.cuts())) return;
   store_.stay();
   work_.set_cuts(std::move(cuts));
-  migration_.apply(store_, work_);
-  store_.sort();
+  migrate_and_sort(store_, work_);
 }
 
 template <int D>
@@ -76,11 +74,6 @@ template <int D>
 const ParticleStore<D>& SharedStore<D>::gather() {
   sandglass::gather(store_, work_, all_ ? *all_ : store_);
   return all_ ? *all_ : store_;
-}
-
-template <int D>
-std::size_t SharedStore<D>::bytes() const {
-  return migration_.bytes() + (all_ ? all_->bytes() : 0);
 }
 
 template class SharedStore<2>;

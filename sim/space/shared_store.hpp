@@ -20,7 +20,7 @@ class SharedStore {
   void sort();
   /// The particles of all ranks, on the first of them; on others their own. Goes stale with the next sort.
   const ParticleStore<D>& gather();
-  std::size_t bytes() const;
+  std::size_t bytes() const { return all_ ? all_->bytes() : 0; }
 
  private:
   void balance();
@@ -28,7 +28,6 @@ class SharedStore {
 
   ParticleStore<D>& store_;
   SharedCells work_;
-  Migration<D> migration_;
   std::optional<ParticleStore<D>> all_;  ///< on the first rank
   std::uint64_t sorts_ = 0;
 };

@@ -19,9 +19,12 @@ class StoredColumnOf final : public StoredColumn {
     values_.resize(particles, initial_);
     next_.resize(particles);
   }
-  void shrink() override {
-    values_.shrink_to_fit();
-    next_.shrink_to_fit();
+  void shrink(std::size_t room) override {
+    sandglass::shrink(values_, room);
+    sandglass::shrink(next_, room);
+  }
+  void rotate(std::size_t first, std::size_t middle, std::size_t last) override {
+    sandglass::rotate(values_, first, middle, last);
   }
   void write(std::size_t first, const ColumnView& values) override {
     const T* source = static_cast<const T*>(values.numbers);
