@@ -1,5 +1,6 @@
 #include "sim/method/cell_simulator.hpp"
 
+#include "sim/method/counts_of_ranks.hpp"
 #include "sim/observe/axes.hpp"
 
 namespace sandglass {
@@ -10,25 +11,51 @@ CellSimulator<D>::CellSimulator(const LatticeOfCells<D>& cells, std::vector<Spec
                                 const Streams& streams, const std::vector<ColumnInfo>& columns)
     : streams_(streams),
       store_(cells, columns),
+      all_cells_(cells.size()),
+      columns_(columns),
       traits_(std::move(traits)),
       weight_(weight),
       motion_parameters_(motion),
       motion_(motion::make_motion_stage<D>(motion, cells.grid().box())) {}
 
 template <int D>
+void CellSimulator<D>::share(Communicator& ranks) {
+  shared_ = std::make_unique<SharedStore<D>>(store_, columns_, ranks);
+}
+
+template <int D>
 void CellSimulator<D>::assign(const Particles<D>& particles) {
   store_.assign(particles);
   time_ = 0;
   left_ = {};
+  gathered_ = nullptr;
+  if (shared_) shared_->keep_own();
 }
 
 template <int D>
 View<D> CellSimulator<D>::view() {
+  View<D> view = view_of(store_);
+  if (shared_) view.ranks = &work().ranks();
+  return view;
+}
+
+template <int D>
+View<D> CellSimulator<D>::view_of_all() {
+  if (!shared_) return view();
+  if (gathered_ == nullptr) {
+    gathered_ = &shared_->gather();
+    gather_counts();
+  }
+  return view_of(*gathered_);
+}
+
+template <int D>
+View<D> CellSimulator<D>::view_of(const ParticleStore<D>& store) {
   View<D> view;
-  view.particles = store_.phases();
-  view.offsets = store_.offsets();
-  view.box = store_.grid().box();
-  view.columns = store_.columns();
+  view.particles = store.phases();
+  view.offsets = store.offsets();
+  view.box = store.grid().box();
+  view.columns = store.columns();
   view.traits = traits_;
   view.weight = weight_;
   view.tally = &tally_;
@@ -65,7 +92,8 @@ void CellSimulator<D>::end_step(double dt, std::uint64_t step) {
   tally_.moves += store_.size();
   if (store_.arrivals()[store_.removed()] > 0) count_those_who_leave();
   if (cloner_) cloner_->apply(store_, traits_, cloning_key(step));
-  store_.sort();
+  gathered_ = nullptr;
+  shared_ ? shared_->sort() : store_.sort();
 }
 
 /// The flight has left them outside the box, and the sort is about to drop them.
@@ -109,6 +137,25 @@ std::array<bool, D> CellSimulator<D>::periodic() const {
   std::array<bool, D> periodic{};
   for (std::size_t axis = 0; axis < D; ++axis) periodic[axis] = !motion_parameters_.walled[axis];
   return periodic;
+}
+
+template <int D>
+std::vector<std::uint64_t*> CellSimulator<D>::counts() {
+  std::vector<std::uint64_t*> counts;
+  for (auto& sides : left_)
+    for (std::uint64_t& count : sides) counts.push_back(&count);
+  return counts;
+}
+
+template <int D>
+void CellSimulator<D>::gather_counts() {
+  CountsOfRanks<D> mine{tally_, counts(), motion_parameters_.planes, motion_parameters_.impulses};
+  mine.gather(work().ranks());
+}
+
+template <int D>
+void CellSimulator<D>::clear_counts() {
+  CountsOfRanks<D>{tally_, counts(), motion_parameters_.planes, motion_parameters_.impulses}.clear();
 }
 
 template <int D>

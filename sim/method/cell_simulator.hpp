@@ -4,6 +4,7 @@
 #include "sim/method/simulator.hpp"
 #include "sim/motion/entrance.hpp"
 #include "sim/motion/motion_stage.hpp"
+#include "sim/space/shared_store.hpp"
 
 #include <memory>
 #include <optional>
@@ -21,8 +22,10 @@ class CellSimulator : public Simulator<D> {
                 const motion::MotionParameters<D>& motion, const Streams& streams,
                 const std::vector<ColumnInfo>& columns);
 
+  void share(Communicator& ranks) override;
   void assign(const Particles<D>& particles) override;
   View<D> view() override;
+  View<D> view_of_all() override;
   std::span<const std::uint64_t> ids() const override { return store_.ids(); }
   std::uint64_t size() const override { return store_.size(); }
   void insert(const Particles<D>& particles) override;
@@ -33,7 +36,10 @@ class CellSimulator : public Simulator<D> {
   std::map<std::string, double> counters() const override;
   Memory save() const override;
   void load(const Memory& memory) override;
-  std::size_t bytes() const override { return store_.bytes() + (cloner_ ? cloner_->bytes() : 0); }
+  void clear_counts() override;
+  std::size_t bytes() const override {
+    return store_.bytes() + (cloner_ ? cloner_->bytes() : 0) + (shared_ ? shared_->bytes() : 0);
+  }
 
  protected:
   /// The coming step, for the flight.
@@ -50,6 +56,10 @@ class CellSimulator : public Simulator<D> {
     cloner_.emplace(std::move(weights), faults, tally_);
   }
   std::array<bool, D> periodic() const;
+  /// The cells that a step works on; fills in the numbers by cell that are worked out elsewhere.
+  const SharedCells& work() const { return shared_ ? shared_->work() : all_cells_; }
+  /// What a method counts since time zero, beside the tally.
+  virtual std::vector<std::uint64_t*> counts();
 
   Streams streams_;
   ParticleStore<D> store_;
@@ -59,10 +69,16 @@ class CellSimulator : public Simulator<D> {
   StreamKey cloning_key(std::uint64_t step) const {
     return {streams_.seed, Purpose::cloning, streams_.replica, step};
   }
+  View<D> view_of(const ParticleStore<D>& store);
+  void gather_counts();
   void count_those_who_leave();
   void count_one_who_leaves(const Vector<D>& position);
 
-  std::vector<SpeciesTraits> traits_;  ///< of each species
+  SharedCells all_cells_;
+  std::vector<ColumnInfo> columns_;
+  std::unique_ptr<SharedStore<D>> shared_;      ///< null: all particles are here
+  const ParticleStore<D>* gathered_ = nullptr;  ///< all particles, since the last step
+  std::vector<SpeciesTraits> traits_;           ///< of each species
   double weight_;
   motion::MotionParameters<D> motion_parameters_;
   std::unique_ptr<motion::MotionStage<D>> motion_;

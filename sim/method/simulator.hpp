@@ -16,10 +16,16 @@ class Simulator {
   virtual ~Simulator() = default;
   /// Takes particles in the given order.
   virtual void assign(const Particles<D>& particles) = 0;
+  /// Called before assign(), which every rank then gives all particles: works on a share of them from now on.
+  virtual void share(Communicator&) {
+    throw RunError("this method cannot share its particles out over ranks yet");
+  }
   /// Advances by `dt`; `step` names the random streams.
   virtual void step(double dt, std::uint64_t step) = 0;
-  /// Particles, cells and counters; time and step are the run's to fill in.
+  /// Particles, cells and counters; time and step are the run's to fill in. Shared out: those of this rank.
   virtual View<D> view() = 0;
+  /// Shared out: the particles and counts of all ranks on the first of them, which then has all counts itself.
+  virtual View<D> view_of_all() { return view(); }
   virtual std::span<const std::uint64_t> ids() const = 0;
   /// Particles that it holds now.
   virtual std::uint64_t size() const = 0;
@@ -38,6 +44,8 @@ class Simulator {
   /// What a bitwise restart needs beside the view and the tally; and back, after assign().
   virtual Memory save() const { return {}; }
   virtual void load(const Memory&) {}
+  /// Counts since time zero start anew, as on ranks that do not go on with them after a restart.
+  virtual void clear_counts() {}
   /// Both, where the order of the particles depends on what was saved.
   virtual void restore(const Particles<D>& particles, const Memory& memory) {
     assign(particles);

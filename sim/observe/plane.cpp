@@ -23,6 +23,17 @@ std::vector<double> Plane::take_histogram() {
   return counts;
 }
 
+void Plane::add(const Plane& other) {
+  for (std::size_t i = 0; i < histogram_.size(); ++i) histogram_[i] += other.histogram_[i];
+  up_ += other.up_;
+  down_ += other.down_;
+}
+
+void Plane::clear() {
+  std::fill(histogram_.begin(), histogram_.end(), 0u);
+  up_ = down_ = 0;
+}
+
 std::vector<double> Plane::save() const {
   std::vector<double> state{up(), down()};
   state.insert(state.end(), histogram_.begin(), histogram_.end());

@@ -27,6 +27,11 @@ class Plane {
   double up() const { return static_cast<double>(up_); }
   double down() const { return static_cast<double>(down_); }
 
+  /// The passages that another has counted.
+  void add(const Plane& other);
+  /// No passage.
+  void clear();
+
   std::vector<double> save() const;
   void load(const std::vector<double>& state);
 

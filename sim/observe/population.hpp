@@ -4,7 +4,7 @@
 #include "sim/observe/view.hpp"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace sandglass {
 
@@ -63,14 +63,15 @@ struct Population : Kinds {
 };
 
 template <class Kinds>
-double mass_of_all(const Kinds&, std::size_t particles) {
+double mass_of_all(const Kinds&, std::size_t particles, Communicator*) {
   return static_cast<double>(particles);
 }
 
 /// By species, so that the sum depends on no order.
-inline double mass_of_all(const SeveralSpecies& kinds, std::size_t) {
-  std::array<std::uint64_t, 256> count{};
+inline double mass_of_all(const SeveralSpecies& kinds, std::size_t, Communicator* ranks) {
+  std::vector<std::uint64_t> count(256);
   for (std::uint8_t species : kinds.species) ++count[species];
+  if (ranks != nullptr) count = sum_over(*ranks, count);
   double total = 0;
   for (std::size_t i = 0; i < kinds.list.size(); ++i)
     total += static_cast<double>(count[i]) * kinds.list[i].mass;
@@ -78,9 +79,10 @@ inline double mass_of_all(const SeveralSpecies& kinds, std::size_t) {
 }
 
 template <class Kinds>
-Population<Kinds, OneWeight> population_of(const Kinds& kinds, OneWeight weight, std::size_t particles) {
+Population<Kinds, OneWeight> population_of(const Kinds& kinds, OneWeight weight, std::size_t particles,
+                                           Communicator* ranks) {
   const auto count = static_cast<double>(particles);
-  return {kinds, weight, count, mass_of_all(kinds, particles), std::max(count - 1, 1.0)};
+  return {kinds, weight, count, mass_of_all(kinds, particles, ranks), std::max(count - 1, 1.0)};
 }
 
 template <class Kinds>
@@ -99,10 +101,10 @@ Population<Kinds, ManyWeights> population_of(const Kinds& kinds, ManyWeights wei
 /// Calls `use` with the population: two branches a sample, none a particle.
 template <int D, class Use>
 auto with_population(const View<D>& view, Use use) {
-  const std::size_t particles = view.particles.size();
+  const std::size_t particles = particles_of_all(view);
   const auto weights = view.columns.get(column::weight);
   const auto weighted = [&](const auto& kinds) {
-    if (weights.empty()) return use(population_of(kinds, OneWeight{view.weight}, particles));
+    if (weights.empty()) return use(population_of(kinds, OneWeight{view.weight}, particles, view.ranks));
     return use(population_of(kinds, ManyWeights{weights}, particles));
   };
   const auto species = view.columns.get(column::species);

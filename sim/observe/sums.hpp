@@ -3,10 +3,14 @@
 #include "sim/observe/population.hpp"
 
 #include <array>
+#include <span>
 #include <type_traits>
 #include <vector>
 
 namespace sandglass {
+
+/// Of registers that each rank has filled for itself: the sums, on all ranks.
+void add_over_ranks(Communicator& ranks, std::span<ExactSum> sums);
 
 /// Sum of `term(particle)`, or of `term(particle, index)`, over all particles: plain within a cell, exact over cells, so
 /// that the result depends neither on the order of the cells nor on how they are shared out.
@@ -26,6 +30,7 @@ std::array<double, K> sum_particles(const View<D>& view, Term term) {
     }
     for (std::size_t k = 0; k < K; ++k) total[k].add(partial[k]);
   }
+  if (view.ranks != nullptr) add_over_ranks(*view.ranks, total);
   std::array<double, K> sum;
   for (std::size_t k = 0; k < K; ++k) sum[k] = total[k].value();
   return sum;

@@ -1,6 +1,32 @@
 #include "sim/observe/tally.hpp"
 
+#include <algorithm>
+
 namespace sandglass {
+
+namespace {
+void add_to(std::vector<std::uint64_t>& counts, const std::vector<std::uint64_t>& others) {
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += others.at(i);
+}
+}  // namespace
+
+void Tally::add(const Tally& other) {
+  collisions += other.collisions;
+  candidates += other.candidates;
+  moves += other.moves;
+  transfer.add(other.transfer);
+  impact.resize(std::max(impact.size(), other.impact.size()));
+  if (!other.impact.empty()) add_to(impact, other.impact);
+  if (!other.by_species.empty()) add_to(by_species, other.by_species);
+  deepest_overlap = std::max(deepest_overlap, other.deepest_overlap);
+}
+
+void Tally::clear() {
+  const std::size_t bins = impact.size(), pairs = by_species.size();
+  *this = {};
+  impact.resize(bins);
+  by_species.resize(pairs);
+}
 
 void Tally::save(Memory& memory) const {
   memory["tally/counts"] = {static_cast<double>(collisions), static_cast<double>(candidates),

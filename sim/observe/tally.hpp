@@ -29,6 +29,11 @@ struct Tally {
   std::vector<ExactSum> cloning;
   double deepest_overlap = 0;  ///< largest overlap at a collision, in diameters
 
+  /// What was counted elsewhere in the same way.
+  void add(const Tally& other);
+  /// As at time zero.
+  void clear();
+
   void save(Memory& memory) const;
   /// Throws std::out_of_range when the memory lacks a number.
   void load(const Memory& memory);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/base/columns.hpp"
+#include "sim/base/communicator.hpp"
 #include "sim/base/particle_columns.hpp"
 #include "sim/observe/plane.hpp"
 #include "sim/observe/tally.hpp"
@@ -37,6 +38,16 @@ struct View {
   const Tally* tally = nullptr;
   std::vector<Plane>* planes = nullptr;
   const WallImpulses<D>* walls = nullptr;  ///< null: not counted
+  /// Ranks that have the particles between them, of which the view shows those of one: sums are then over all. Null: it
+  /// shows all.
+  Communicator* ranks = nullptr;
 };
+
+/// Also those that other ranks have.
+template <int D>
+std::uint64_t particles_of_all(const View<D>& view) {
+  const std::uint64_t own = view.particles.size();
+  return view.ranks == nullptr ? own : sum_over(*view.ranks, {own}).front();
+}
 
 }  // namespace sandglass

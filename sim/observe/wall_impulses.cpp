@@ -12,6 +12,12 @@ Vector<D> WallImpulses<D>::impulse(std::size_t side) const {
 }
 
 template <int D>
+void WallImpulses<D>::add(const WallImpulses& other) {
+  for (std::size_t side = 0; side < sums_.size(); ++side)
+    for (std::size_t i = 0; i < sums_[side].size(); ++i) sums_[side][i].add(other.sums_[side][i]);
+}
+
+template <int D>
 std::vector<double> WallImpulses<D>::save() const {
   std::vector<double> state;
   for (const auto& side : sums_)

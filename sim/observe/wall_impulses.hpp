@@ -30,6 +30,9 @@ class WallImpulses {
   /// Energy that the side has taken from the particles beside its work; negative for a wall that heats them.
   double heat(std::size_t side) const { return sums_[side][D + 1].value(); }
 
+  /// What other particles have given.
+  void add(const WallImpulses& other);
+
   std::vector<double> save() const;
   /// Throws std::out_of_range when numbers lack.
   void load(const std::vector<double>& state);

@@ -1,11 +1,10 @@
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
+#include "sim/program/failure.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/parallel.hpp"
-#include "sim/run/run.hpp"
 
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <map>
 
@@ -123,30 +122,25 @@ int main_of(int argc, char** argv) {
   }
   options.command = app.get_subcommands().front()->get_name();
   const Parallel parallel;
-  return parallel.is_alone() ? commands().at(options.command)(options) : bad_input;
-}
-
-int report(const std::exception& error, int code) {
-  std::fprintf(stderr, "%s\n", error.what());
-  return code;
+  options.ranks = parallel.ranks();
+  try {
+    parallel.require_work(options.command);
+    return commands().at(options.command)(options);
+  } catch (...) {
+    return parallel.report(current_failure());
+  }
 }
 
 }  // namespace
 }  // namespace sandglass::program
 
 int main(int argc, char** argv) {
-  using namespace sandglass;
+  using namespace sandglass::program;
   try {
-    return program::main_of(argc, argv);
-  } catch (const InputError& error) {
-    return program::report(error, program::bad_input);
-  } catch (const Interrupted& stop) {
-    return program::report(stop, program::run_broke);
-  } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "error: not enough memory; `sandglass plan` says what a scene needs\n");
-    return program::run_broke;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return program::run_broke;
+    return main_of(argc, argv);
+  } catch (...) {
+    const Failure failure = current_failure();
+    std::fprintf(stderr, "%s\n", failure.words.c_str());
+    return failure.code;
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/base/communicator.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,7 +20,8 @@ struct Options {
   std::string variant;
   std::vector<std::string> settings;  ///< key=value pairs laid over a scene
   std::optional<std::uint64_t> seed;
-  int jobs = 0;  ///< 0: as many as there are cores
+  Communicator* ranks = nullptr;  ///< share the work; null: this process alone
+  int jobs = 0;                   ///< 0: as many as there are cores
   bool json = false, quiet = false, overwrite = false, mutants = false;
 };
 

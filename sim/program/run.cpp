@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "sim/base/steady.hpp"
 #include "sim/program/edited_scene.hpp"
+#include "sim/program/failure.hpp"
 #include "sim/program/memory.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/progress_line.hpp"
@@ -10,6 +11,7 @@
 #include "sim/program/table.hpp"
 #include "sim/record/output_files.hpp"
 #include "sim/record/record.hpp"
+#include "sim/run/sharing.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -100,44 +102,70 @@ void finish(const Options& options, const Record& record, const std::string& pat
   if (!options.quiet) fmt::print("{}", summary(record, written));
 }
 
+/// Of the ranks that share the work the first speaks and writes.
+bool is_first(const Options& options) { return options.ranks == nullptr || options.ranks->is_first(); }
+bool is_quiet(const Options& options) { return options.quiet || !is_first(options); }
+
 /// Runs `work`, which returns the record, with signals caught and progress shown, and writes the record.
 template <class Work>
 int run_to_record(const Options& options, const Scene& scene, const std::string& path, Work work) {
   const bool replaces_input = checkpoint_path(path) == options.subject;
   OutputFiles outputs(replaces_input ? std::vector<std::string>{} : std::vector{options.subject});
-  claim_files(outputs, options, scene, path);
-  ProgressLine line(options.quiet);
+  together(options.ranks, [&] {
+    if (is_first(options)) claim_files(outputs, options, scene, path);
+    return true;
+  });
+  ProgressLine line(is_quiet(options));
   RunOptions run_options;
   run_options.checkpoint_path = checkpoint_path(path);
   run_options.progress = line.callback();
   run_options.stop = &stop_on_signal();
+  run_options.ranks = options.ranks;
   try {
-    finish(options, work(run_options), path);
+    const Record record = work(run_options);
+    if (is_first(options)) finish(options, record, path);
   } catch (const Interrupted& stop) {
-    throw Interrupted(
-        fmt::format("{}; go on with: sandglass resume {}", stop.what(), run_options.checkpoint_path));
+    if (!stop.everywhere())
+      throw Interrupted(fmt::format("{}; ranks that share replicas write no checkpoint", stop.what()), false);
+    const std::string words =
+        fmt::format("{}; go on with: sandglass resume {}", stop.what(), run_options.checkpoint_path);
+    throw Failure{is_first(options) ? words : "", run_broke, true};
   }
   return all_well;
 }
 
 /// What the plan of the scene warns of, on the error stream, so that nobody has to ask for the plan to see it. Throws
-/// InputError when the machine cannot hold the particles.
-void heed_plan(const Scene& scene, bool quiet) {
+/// InputError when the machine cannot hold the particles, or when ranks cannot share the work.
+void heed_plan(const Scene& scene, const Options& options) {
   const Plan planned = plan(scene);
+  if (options.ranks != nullptr) sharing_of(scene, options.ranks->count(), false);
   if (exceeds_memory(planned))
     throw InputError(
         fmt::format("{} particles do not fit into memory: {}; take fewer, or a larger "
                     "'method.weight' where the method has one",
                     planned.particles, memory_words(planned)));
   for (const std::string& warning : planned.warnings)
-    if (!quiet) fmt::print(stderr, "warning: {}\n", warning);
+    if (!is_quiet(options)) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+Record read_checkpoint(const Options& options) {
+  Record checkpoint = read_record(options.subject);
+  if (!checkpoint.state)
+    throw InputError(fmt::format("{}: is a finished record, not a checkpoint; there is nothing to resume",
+                                 options.subject));
+  const Scene scene = read_scene_text(checkpoint.scene, options.subject);
+  if (options.ranks != nullptr) sharing_of(scene, options.ranks->count(), true);
+  return checkpoint;
 }
 
 }  // namespace
 
 int run(const Options& options) {
-  Scene scene = read_edited_scene(options.subject, options.settings);
-  heed_plan(scene, options.quiet);
+  Scene scene = together(options.ranks, [&] {
+    Scene read = read_edited_scene(options.subject, options.settings);
+    heed_plan(read, options);
+    return read;
+  });
   if (options.seed) scene.run.seed = *options.seed;
   const std::string path = record_path(options, scene);
   scene.output.record = path;
@@ -146,10 +174,7 @@ int run(const Options& options) {
 }
 
 int resume_run(const Options& options) {
-  const Record checkpoint = read_record(options.subject);
-  if (!checkpoint.state)
-    throw InputError(fmt::format("{}: is a finished record, not a checkpoint; there is nothing to resume",
-                                 options.subject));
+  const Record checkpoint = together(options.ranks, [&] { return read_checkpoint(options); });
   const Scene scene = read_scene_text(checkpoint.scene, options.subject);
   const std::string path = record_path(options, scene);
   return run_to_record(options, scene, path,

@@ -2,6 +2,7 @@
 #include "sim/run/initial.hpp"
 #include "sim/run/run.hpp"
 #include "sim/run/setup.hpp"
+#include "sim/run/test_same.hpp"
 
 #include <cmath>
 
@@ -66,18 +67,6 @@ TEST(RunMixing, PlacesTheFirstSpeciesOnTop) {
   }
   EXPECT_NEAR(particles.phases.front().position[1], 93.75, 1e-12);
   EXPECT_NEAR(particles.phases.front().position[0], 6.25, 1e-12);
-}
-
-void expect_same(const Record& a, const Record& b) {
-  ASSERT_EQ(a.replicas.size(), b.replicas.size());
-  for (std::size_t r = 0; r < a.replicas.size(); ++r) {
-    EXPECT_EQ(a.replicas[r].counters, b.replicas[r].counters);
-    for (std::size_t s = 0; s < a.replicas[r].series.size(); ++s)
-      EXPECT_EQ(a.replicas[r].series[s].value, b.replicas[r].series[s].value);
-  }
-  ASSERT_EQ(a.trajectory.size(), b.trajectory.size());
-  for (std::size_t f = 0; f < a.trajectory.size(); ++f)
-    EXPECT_EQ(a.trajectory[f].position, b.trajectory[f].position);
 }
 
 TEST(RunMixing, ResumesBitwise) {

@@ -25,15 +25,18 @@ std::unique_ptr<EventTrace<D>> make_trace(const Scene& scene, const Streams& str
 }  // namespace
 
 template <int D>
-ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const State* state)
+ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const State* state,
+                          Communicator* ranks)
     : setup_(setup),
       scene_(setup.scene),
       streams_(streams),
+      ranks_(ranks),
       planes_(make_planes(setup.observers)),
       trace_(make_trace<D>(setup.scene, streams, state)),
       impulses_(needs_of(setup.observers).walls ? std::make_unique<WallImpulses<D>>() : nullptr),
       simulator_(setup.method->build(streams, {&planes_, trace_.get(), impulses_.get()})),
       stepper_(setup) {
+  if (ranks_ != nullptr) simulator_->share(*ranks_);
   if (!setup.sources.empty()) sources_.emplace(setup, streams);
   if (!setup.inflows.empty()) inflows_.emplace(setup, streams);
   std::size_t plane = 0;
@@ -57,12 +60,40 @@ ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const S
 template <int D>
 void ReplicaRun<D>::start() {
   simulator_->assign(initial_particles(setup_, streams_));
-  collisions_ = {simulator_->size()};
+  count();
+  collisions_ = {totals_.particles};
   for (Watch& watch : watches_) {
-    watch.observer->start(view());
+    if (const View<D> now = view(); observes()) watch.observer->start(now);
     if (watch.observer->measures_at_start()) sample(watch);
   }
-  if (frames_) trajectory_.push_back(frame_of(view()));
+  if (frames_) take_frame();
+}
+
+template <int D>
+void ReplicaRun<D>::take_frame() {
+  if (const View<D> now = view(); observes()) trajectory_.push_back(frame_of(now));
+}
+
+template <int D>
+void ReplicaRun<D>::count() {
+  const Tally& tally = simulator_->tally();
+  totals_ = {tally.collisions, tally.moves, simulator_->size()};
+  if (ranks_ != nullptr) count_over_ranks();
+}
+
+template <int D>
+void ReplicaRun<D>::count_over_ranks() {
+  std::uint64_t largest = 0;
+  Totals all;
+  for (const auto& each : collect<Totals>(*ranks_, {totals_})) {
+    all.collisions += each.front().collisions;
+    all.moves += each.front().moves;
+    all.particles += each.front().particles;
+    largest = std::max(largest, each.front().particles);
+  }
+  totals_ = all;
+  const auto mean = static_cast<double>(all.particles) / static_cast<double>(ranks_->count());
+  imbalance_ += all.particles == 0 ? 1 : static_cast<double>(largest) / mean;
 }
 
 /// Steps of one length are counted, so that no rounding adds up.
@@ -73,14 +104,20 @@ double ReplicaRun<D>::time_after(double dt) const {
 
 template <int D>
 void ReplicaRun<D>::step() {
-  const double dt = stepper_.looks(clock_.step) ? stepper_.next(view(), clock_.step) : stepper_.current();
+  const double dt = stepper_.looks(clock_.step) ? stepper_.next(completed(simulator_->view()), clock_.step)
+                                                : stepper_.current();
   const double end = time_after(dt);
   if (inflows_) inflows_->enter(*simulator_, clock_, dt, end);
   simulator_->step(dt, clock_.step);
   ++clock_.step;
+  ++steps_;
   clock_.time = end;
-  clock_.collisions = collisions_.per_particle(simulator_->tally().collisions, simulator_->size());
-  if (sources_) sources_->pour(*simulator_, clock_);
+  count();
+  clock_.collisions = collisions_.per_particle(totals_.collisions, totals_.particles);
+  if (sources_) {
+    sources_->pour(*simulator_, clock_);
+    totals_.particles = simulator_->size();
+  }
   sample_what_is_due();
   if (scene_.run.duration.collisions) refuse_standstill();
 }
@@ -89,7 +126,7 @@ template <int D>
 void ReplicaRun<D>::sample_what_is_due() {
   for (Watch& watch : watches_)
     if (watch.schedule.due(clock_)) sample(watch);
-  if (frames_ && frames_->due(clock_)) trajectory_.push_back(frame_of(view()));
+  if (frames_ && frames_->due(clock_)) take_frame();
 }
 
 template <int D>
@@ -100,12 +137,12 @@ void ReplicaRun<D>::refuse_standstill() const {
   const bool more = inflows_ ||
                     std::ranges::any_of(scene_.sources, [](const Source& source) { return !source.count; }) ||
                     poured < static_cast<double>(poured_count(scene_));
-  if (simulator_->size() < 2 && !more && clock_.collisions < wanted)
+  if (totals_.particles < 2 && !more && clock_.collisions < wanted)
     throw RunError(fmt::format(
         "step {}, time {:.6g}: {} of the particles left, and the run is to last {} collisions per "
         "particle; give the duration as a time",
-        clock_.step, clock_.time, simulator_->size() == 0 ? "none" : "one", wanted));
-  if (clock_.step % 1'000'000 == 0 && simulator_->tally().collisions == 0)
+        clock_.step, clock_.time, totals_.particles == 0 ? "none" : "one", wanted));
+  if (clock_.step % 1'000'000 == 0 && totals_.collisions == 0)
     throw RunError(
         fmt::format("no collision in {} steps, and the run is to last {} collisions per particle; raise "
                     "'method.time-step' or give the duration as a time",
@@ -113,8 +150,7 @@ void ReplicaRun<D>::refuse_standstill() const {
 }
 
 template <int D>
-View<D> ReplicaRun<D>::view() {
-  View<D> view = simulator_->view();
+View<D> ReplicaRun<D>::completed(View<D> view) const {
   view.step = clock_.step;
   view.time = clock_.time;
   view.walls = impulses_.get();
@@ -123,7 +159,9 @@ View<D> ReplicaRun<D>::view() {
 
 template <int D>
 void ReplicaRun<D>::sample(Watch& watch) {
-  const std::vector<double> values = watch.observer->measure(view());
+  const View<D> now = view();
+  if (!observes()) return;
+  const std::vector<double> values = watch.observer->measure(now);
   if (values.empty()) return;
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
     throw RunError(
@@ -151,7 +189,9 @@ std::map<std::string, double> ReplicaRun<D>::counters() {
 
 template <int D>
 State ReplicaRun<D>::save() {
-  State state{clock_.step, clock_.time, frame_of(view()), {}, counters(), simulator_->save()};
+  const View<D> now = view();
+  if (!observes()) return {};
+  State state{clock_.step, clock_.time, frame_of(now), {}, counters(), simulator_->save()};
   simulator_->tally().save(state.memory);
   state.memory["time-step"] = stepper_.save();
   state.memory["collisions"] = collisions_.save();
@@ -176,11 +216,12 @@ void ReplicaRun<D>::load(const State& state) {
   collisions_.load(state.memory.at("collisions"));
   if (sources_) sources_->load(state.memory.at("sources"));
   if (inflows_) inflows_->load(state.memory.at("inflows"));
-  clock_ = {state.step, state.time,
-            collisions_.per_particle(simulator_->tally().collisions, simulator_->size())};
   if (impulses_) impulses_->load(state.memory.at("wall-impulses"));
   for (std::size_t i = 0; i < planes_.size(); ++i)
     planes_[i].load(state.memory.at(fmt::format("plane-{}", i)));
+  if (!observes()) simulator_->clear_counts();
+  count();
+  clock_ = {state.step, state.time, collisions_.per_particle(totals_.collisions, totals_.particles)};
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     watches_[i].observer->load(state.memory.at(fmt::format("observer-{}", i)));
     watches_[i].series = state.series.at(i);
@@ -192,6 +233,7 @@ void ReplicaRun<D>::load(const State& state) {
 template <int D>
 Replica ReplicaRun<D>::result() {
   if (trace_) trace_->flush();
+  if (ranks_ != nullptr) view();  // the counts of all come to the first
   Replica replica{scene_.run.seed, {}, counters()};
   for (Watch& watch : watches_) replica.series.push_back(std::move(watch.series));
   return replica;

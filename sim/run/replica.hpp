@@ -19,8 +19,10 @@ namespace sandglass {
 template <int D>
 class ReplicaRun {
  public:
-  /// `state`: go on from this checkpoint; null: begin with the initial particles and the first samples.
-  ReplicaRun(const Setup<D>& setup, const Streams& streams, const State* state);
+  /// `state`: go on from this checkpoint; null: begin with the initial particles and the first samples. `ranks`: they share
+  /// the particles; the first of them holds the samples, and save() and result() mean something there alone.
+  ReplicaRun(const Setup<D>& setup, const Streams& streams, const State* state,
+             Communicator* ranks = nullptr);
 
   bool done() const { return finished(scene_.run.duration, clock_); }
   void step();
@@ -31,7 +33,9 @@ class ReplicaRun {
   /// Frames that the scene asks for; kept for the first replica only.
   std::vector<Frame>& trajectory() { return trajectory_; }
   std::size_t bytes() const { return simulator_->bytes(); }
-  std::uint64_t moves() { return simulator_->tally().moves; }
+  std::uint64_t moves() const { return totals_.moves; }
+  /// Largest share of the particles over the mean one, averaged over the steps; 1 on one rank.
+  double imbalance() const { return steps_ > 0 ? imbalance_ / static_cast<double>(steps_) : 1; }
   /// Names of the series that count since time zero.
   std::set<std::string> cumulative() const;
 
@@ -42,10 +46,20 @@ class ReplicaRun {
     Series series;
   };
 
+  /// Over all ranks.
+  struct Totals {
+    std::uint64_t collisions = 0, moves = 0, particles = 0;
+  };
+
   void start();
+  void count();
+  void count_over_ranks();
+  void take_frame();
+  bool observes() const { return ranks_ == nullptr || ranks_->is_first(); }
   double time_after(double dt) const;
   void load(const State& state);
-  View<D> view();
+  View<D> completed(View<D> view) const;
+  View<D> view() { return completed(simulator_->view_of_all()); }
   void sample(Watch& watch);
   void sample_what_is_due();
   void refuse_standstill() const;
@@ -54,6 +68,7 @@ class ReplicaRun {
   const Setup<D>& setup_;
   const Scene& scene_;
   Streams streams_;
+  Communicator* ranks_;  ///< null: this process alone
   std::vector<Plane> planes_;
   std::unique_ptr<EventTrace<D>> trace_;       ///< of the first replica, if asked for
   std::unique_ptr<WallImpulses<D>> impulses_;  ///< if an observer needs them
@@ -63,6 +78,9 @@ class ReplicaRun {
   std::optional<Inflows<D>> inflows_;
   Clock clock_;
   CollisionCount collisions_;
+  Totals totals_;
+  double imbalance_ = 0;     ///< summed over the steps
+  std::uint64_t steps_ = 0;  ///< of this process
   std::vector<Watch> watches_;
   std::optional<Schedule> frames_;
   std::vector<Frame> trajectory_;

@@ -4,6 +4,8 @@
 #include "sim/run/estimates.hpp"
 #include "sim/run/pace.hpp"
 #include "sim/run/replica.hpp"
+#include "sim/run/replica_messages.hpp"
+#include "sim/run/sharing.hpp"
 
 #include <chrono>
 #include <ctime>
@@ -48,7 +50,7 @@ Record empty_record(const Scene& scene, const RunOptions& options) {
   return record;
 }
 
-/// All replicas of one scene, one after the other, into one record.
+/// All replicas of one scene, one after the other, into one record; or those of this rank.
 template <int D>
 class Runner {
  public:
@@ -57,7 +59,9 @@ class Runner {
         setup_(set_up<D>(scene, options.planted_fault)),
         scene_(setup_.scene),
         record_(std::move(record)),
-        watch_(record_.timings),
+        sharing_(sharing_of(scene, options.ranks == nullptr ? 1 : options.ranks->count(),
+                            record_.state.has_value())),
+        watch_(is_first() ? record_.timings : std::map<std::string, double>{}),
         pace_(options.progress) {
     record_.scene = write_scene(scene_);
     if (scene.output.checkpoint) checkpoints_.emplace(*scene.output.checkpoint);
@@ -65,16 +69,28 @@ class Runner {
   }
 
   Record run() {
-    while (record_.replicas.size() < scene_.run.replicas) run_replica();
-    record_.estimates = estimate(record_.replicas, cumulative_);
+    while (replica() < scene_.run.replicas) run_replica();
+    if (sharing_ == Sharing::replicas)
+      record_.replicas = gather_replicas(*options_.ranks, std::move(record_.replicas));
+    if (is_first()) record_.estimates = estimate(record_.replicas, cumulative_);
     watch_.read(record_.timings);
+    if (sharing_ != Sharing::none) add_timings();
     return std::move(record_);
   }
 
  private:
+  bool is_first() const { return options_.ranks == nullptr || options_.ranks->is_first(); }
+
+  /// The coming one.
+  std::uint64_t replica() const {
+    if (sharing_ != Sharing::replicas) return record_.replicas.size();
+    return options_.ranks->rank() + options_.ranks->count() * record_.replicas.size();
+  }
+
   void run_replica() {
-    ReplicaRun<D> replica(setup_, {scene_.run.seed, record_.replicas.size()},
-                          record_.state ? &*record_.state : nullptr);
+    ReplicaRun<D> replica(setup_, {scene_.run.seed, this->replica()},
+                          record_.state ? &*record_.state : nullptr,
+                          sharing_ == Sharing::cells ? options_.ranks : nullptr);
     record_.state.reset();
     if (checkpoints_) checkpoints_->resume(replica.clock());
     cumulative_ = replica.cumulative();
@@ -88,8 +104,13 @@ class Runner {
   /// What may happen between two steps: checkpoint, request to stop, progress.
   void attend(ReplicaRun<D>& replica) {
     if (checkpoints_ && checkpoints_->due(replica.clock())) write_checkpoint(replica);
-    if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) stop(replica);
+    if (options_.stop != nullptr && any_rank(options_.stop->load(std::memory_order_relaxed))) stop(replica);
     if (pace_.due()) report(replica);
+  }
+
+  /// A signal reaches the ranks at different steps.
+  bool any_rank(bool own) const {
+    return sharing_ == Sharing::cells ? sum_over(*options_.ranks, {own}).front() > 0 : own;
   }
 
   void finish(ReplicaRun<D>& replica) {
@@ -98,6 +119,7 @@ class Runner {
     if (setup_.particles > 0)
       record_.timings["bytes-per-particle"] =
           static_cast<double>(replica.bytes()) / static_cast<double>(setup_.particles);
+    imbalance_ += replica.imbalance();
     take_frames(record_, replica);
     moves_before_ += static_cast<double>(replica.moves());
     record_.replicas.push_back(replica.result());
@@ -109,25 +131,48 @@ class Runner {
 
   void write_checkpoint(ReplicaRun<D>& replica) {
     if (options_.checkpoint_path.empty()) return;
+    State state = replica.save();
+    if (is_first()) write_checkpoint(replica, std::move(state));
+  }
+
+  void write_checkpoint(ReplicaRun<D>& replica, State state) {
     Record checkpoint = record_;
-    checkpoint.state = replica.save();
+    checkpoint.state = std::move(state);
     take_frames(checkpoint, replica);
     watch_.read(checkpoint.timings);
     write_record(options_.checkpoint_path, checkpoint);
   }
 
+  /// Of all ranks.
+  void add_timings() {
+    auto& own = record_.timings;
+    const auto all = collect<double>(*options_.ranks, {own["cpu-seconds"], own["peak-bytes"]});
+    own["cpu-seconds"] = own["peak-bytes"] = 0;
+    for (const auto& each : all) {
+      own["cpu-seconds"] += each[0];
+      own["peak-bytes"] += each[1];
+    }
+    own["ranks"] = static_cast<double>(all.size());
+    if (sharing_ == Sharing::replicas) return;
+    own["imbalance"] = imbalance_ / static_cast<double>(record_.replicas.size());
+    if (setup_.particles > 0)
+      own["bytes-per-particle"] = own["peak-bytes"] / static_cast<double>(setup_.particles);
+  }
+
   [[noreturn]] void stop(ReplicaRun<D>& replica) {
-    write_checkpoint(replica);
+    const bool everywhere = sharing_ != Sharing::replicas;
+    if (everywhere) write_checkpoint(replica);
+    any_rank(true);  // the others wait for the checkpoint
     const Clock& clock = replica.clock();
     throw Interrupted(fmt::format("stopped at step {}, time {:.6g}, replica {} of {}", clock.step, clock.time,
-                                  record_.replicas.size() + 1, scene_.run.replicas));
+                                  this->replica() + 1, scene_.run.replicas),
+                      everywhere);
   }
 
   void report(ReplicaRun<D>& replica) {
     const Clock& clock = replica.clock();
-    const double done =
-        static_cast<double>(record_.replicas.size()) + fraction_done(scene_.run.duration, clock);
-    pace_.report({done / static_cast<double>(scene_.run.replicas), 0, 0, record_.replicas.size(), clock.step,
+    const double done = static_cast<double>(this->replica()) + fraction_done(scene_.run.duration, clock);
+    pace_.report({done / static_cast<double>(scene_.run.replicas), 0, 0, this->replica(), clock.step,
                   clock.time, clock.collisions},
                  moves_before_ + static_cast<double>(replica.moves()));
   }
@@ -136,11 +181,13 @@ class Runner {
   Setup<D> setup_;
   const Scene& scene_;
   Record record_;
+  Sharing sharing_;
   Stopwatch watch_;
   Pace pace_;
   std::optional<Schedule> checkpoints_;
   std::set<std::string> cumulative_;
   double moves_before_ = 0;
+  double imbalance_ = 0;  ///< of the replicas so far, added up
 };
 
 Record run_from(const Scene& scene, const RunOptions& options, Record record) {

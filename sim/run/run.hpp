@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/base/communicator.hpp"
 #include "sim/method/plan.hpp"
 #include "sim/method/planted_fault.hpp"
 #include "sim/record/record.hpp"
@@ -30,15 +31,23 @@ struct RunOptions {
   std::string checkpoint_path;  ///< empty: no checkpoints
   std::function<void(const Progress&)> progress;  ///< called a few times a second at most; may be empty
   const std::atomic<bool>* stop = nullptr;  ///< set by a signal: write a checkpoint, then throw Interrupted
+  /// Share the work; each of them calls the same, and the first gets the record. Null: this process alone.
+  Communicator* ranks = nullptr;
 };
 
 /// The run was asked to stop; a checkpoint was written when a path was given.
 class Interrupted : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Interrupted(const std::string& message, bool everywhere = true)
+      : std::runtime_error(message), everywhere_(everywhere) {}
+  /// All ranks have stopped at this step, not this one alone.
+  bool everywhere() const { return everywhere_; }
+
+ private:
+  bool everywhere_;
 };
 
-/// Runs every replica of the scene in this thread. The result depends on scene and seed alone.
+/// Runs every replica of the scene in this thread, or its share of the work. The result depends on scene and seed alone.
 /// Throws InputError for what the method cannot do, RunError when the state stops being a number.
 Record run_scene(const Scene& scene, const RunOptions& options = {});
 

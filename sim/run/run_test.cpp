@@ -1,6 +1,7 @@
 #include "sim/run/run.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/run/test_same.hpp"
 #include "sim/run/test_scene.hpp"
 
 #include <algorithm>
@@ -53,25 +54,6 @@ checkpoint = { steps = 25 }
 )";
 
 Scene gas() { return read_scene_text(kGas, "gas.toml"); }
-
-void expect_same(const Record& a, const Record& b) {
-  ASSERT_EQ(a.replicas.size(), b.replicas.size());
-  for (std::size_t r = 0; r < a.replicas.size(); ++r) {
-    EXPECT_EQ(a.replicas[r].counters, b.replicas[r].counters);
-    ASSERT_EQ(a.replicas[r].series.size(), b.replicas[r].series.size());
-    for (std::size_t s = 0; s < a.replicas[r].series.size(); ++s) {
-      EXPECT_EQ(a.replicas[r].series[s].value, b.replicas[r].series[s].value)
-          << a.replicas[r].series[s].quantity.name;
-      EXPECT_EQ(a.replicas[r].series[s].time, b.replicas[r].series[s].time);
-    }
-  }
-  ASSERT_EQ(a.trajectory.size(), b.trajectory.size());
-  for (std::size_t f = 0; f < a.trajectory.size(); ++f) {
-    EXPECT_EQ(a.trajectory[f].position, b.trajectory[f].position);
-    EXPECT_TRUE(
-        std::ranges::equal(a.trajectory[f].columns.get(column::id), b.trajectory[f].columns.get(column::id)));
-  }
-}
 
 TEST(Run, IsRepeatable) { expect_same(run_scene(gas()), run_scene(gas())); }
 

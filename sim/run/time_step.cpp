@@ -74,7 +74,7 @@ double TimeStepper<D>::next(const View<D>& view, std::uint64_t step) {
 /// The rate goes with the density, that is with the number of particles in the box.
 template <int D>
 double TimeStepper<D>::for_collisions(const View<D>& view) const {
-  const double crowding = static_cast<double>(view.particles.size()) / particles_;
+  const double crowding = static_cast<double>(particles_of_all(view)) / particles_;
   return wanted_ / (rate_at_one_ * std::sqrt(temperatures(view).mean()) * crowding);
 }
 
@@ -82,6 +82,9 @@ template <int D>
 double TimeStepper<D>::within_cells(const View<D>& view) const {
   double square = 0;
   for (const Phase<D>& particle : view.particles) square = std::max(square, particle.velocity.squaredNorm());
+  if (view.ranks != nullptr)
+    for (const auto& largest : collect<double>(*view.ranks, {square}))
+      square = std::max(square, largest.front());
   return distance_ / (2 * std::sqrt(square) + drive_speed_);
 }
 

@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -22,7 +23,27 @@ void require_room(std::size_t particles) {
   if (particles > std::numeric_limits<std::uint32_t>::max())
     throw InputError("a run holds at most 4294967295 particles, got " + std::to_string(particles));
 }
+
+std::size_t size_of(const ColumnInfo& info) {
+  return info.components * (info.number == Number::byte ? 1 : 8);
+}
+/// Of a block in a message: all begin where any number may.
+std::size_t block(std::size_t bytes) { return (bytes + 7) / 8 * 8; }
+
+/// Copies the values at the places one behind the other; `size` of each.
+void pick(const void* values, std::size_t size, std::span<const std::uint32_t> places, std::byte* to) {
+  for (const std::uint32_t place : places) {
+    std::memcpy(to, static_cast<const std::byte*>(values) + place * size, size);
+    to += size;
+  }
+}
 }  // namespace
+
+std::uint64_t packed_count(std::span<const std::byte> packed) {
+  std::uint64_t count = 0;
+  if (!packed.empty()) std::memcpy(&count, packed.data(), sizeof count);
+  return count;
+}
 
 template <int D>
 ParticleStore<D>::ParticleStore(const LatticeOfCells<D>& cells, const std::vector<ColumnInfo>& columns)
@@ -118,6 +139,67 @@ void ParticleStore<D>::fill_ids(StoredColumn& column, std::size_t first, std::si
   std::iota(ids.begin(), ids.end(), next_id_);
   column.write(first, {column::id, ids.data(), count});
   next_id_ += count;
+}
+
+template <int D>
+std::size_t ParticleStore<D>::packed_size(std::size_t particles) const {
+  std::size_t size = sizeof(std::uint64_t) + particles * sizeof(Phase<D>);
+  for (const auto& column : columns_) size += block(particles * size_of(column->view().info));
+  return size;
+}
+
+template <int D>
+std::vector<std::byte> ParticleStore<D>::pack(std::span<const std::uint32_t> places) const {
+  std::vector<std::byte> packed(packed_size(places.size()));
+  const std::uint64_t count = places.size();
+  std::memcpy(packed.data(), &count, sizeof count);
+  std::byte* to = packed.data() + sizeof count;
+  pick(phase_.data(), sizeof(Phase<D>), places, to);
+  to += count * sizeof(Phase<D>);
+  for (const auto& column : columns_) {
+    const ColumnView values = column->view();
+    pick(values.numbers, size_of(values.info), places, to);
+    to += block(count * size_of(values.info));
+  }
+  return packed;
+}
+
+template <int D>
+void ParticleStore<D>::unpack(std::span<const std::byte> packed, std::span<const CellPlace> places) {
+  if (places.empty()) return;
+  const std::size_t first = size(), count = places.size();
+  resize(first + count);
+  std::copy(places.begin(), places.end(), place_.begin() + static_cast<std::ptrdiff_t>(first));
+  const std::byte* from = packed.data() + sizeof(std::uint64_t);
+  std::memcpy(static_cast<void*>(phase_.data() + first), from, count * sizeof(Phase<D>));
+  from += count * sizeof(Phase<D>);
+  for (const auto& column : columns_) {
+    const ColumnInfo info = column->view().info;
+    column->write(first, {info, from, count});
+    from += block(count * size_of(info));
+  }
+}
+
+template <int D>
+void ParticleStore<D>::clear() {
+  resize(0);
+  begin_step();
+}
+
+/// A few more may arrive than leave.
+template <int D>
+void ParticleStore<D>::shrink() {
+  const std::size_t room = size() + size() / 8;
+  sandglass::shrink(phase_, room);
+  sandglass::shrink(next_phase_, room);
+  sandglass::shrink(place_, room);
+  for (const auto& column : columns_) column->shrink(room);
+}
+
+template <int D>
+void ParticleStore<D>::rotate(std::size_t first, std::size_t middle, std::size_t last) {
+  sandglass::rotate(phase_, first, middle, last);
+  for (const auto& column : columns_) column->rotate(first, middle, last);
 }
 
 template <int D>

@@ -4,6 +4,7 @@
 #include "sim/space/particles.hpp"
 #include "sim/space/stored_column.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -60,6 +61,18 @@ class ParticleStore {
   /// Moves every particle to its place.
   void sort();
 
+  // Particles that come and go as they are, see Migration.
+  /// All that those at the given places have, in a message that begins with their number.
+  std::vector<std::byte> pack(std::span<const std::uint32_t> places) const;
+  /// Takes them in at the coming sort, each at its place.
+  void unpack(std::span<const std::byte> packed, std::span<const CellPlace> places);
+  /// No particle, and none has arrived.
+  void clear();
+  /// Gives back the memory of many who have left.
+  void shrink();
+  /// As std::rotate, within a cell.
+  void rotate(std::size_t first, std::size_t middle, std::size_t last);
+
   /// Takes particles in the given order and sorts them into cells. Columns that it keeps and that are not given get their
   /// initial value, ids the numbers 0, 1, ... Throws InputError as insert().
   void assign(const Particles<D>& particles);
@@ -74,6 +87,7 @@ class ParticleStore {
  private:
   void resize(std::size_t particles);
   void append(const Particles<D>& particles);
+  std::size_t packed_size(std::size_t particles) const;
   void place_in_cell(std::size_t i);
   void fill(StoredColumn& column, std::size_t first, const Particles<D>& particles);
   void fill_ids(StoredColumn& column, std::size_t first, std::size_t count);
@@ -86,6 +100,9 @@ class ParticleStore {
   std::vector<Particles<D>> inserted_;           ///< wait for the sort
   std::uint64_t next_id_ = 0;
 };
+
+/// Particles in what ParticleStore::pack() gave.
+std::uint64_t packed_count(std::span<const std::byte> packed);
 
 extern template class ParticleStore<2>;
 extern template class ParticleStore<3>;

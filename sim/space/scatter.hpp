@@ -2,6 +2,7 @@
 
 #include "sim/space/huge_page_allocator.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,24 @@ void scatter(const Column<T>& from, const Column<CellPlace>& places, const std::
     target[slot(i)] = source[i];
   }
   for (std::size_t i = ahead; i < count; ++i) target[slot(i)] = source[i];
+}
+
+/// Gives back memory beyond that for `room` values.
+template <class T>
+void shrink(Column<T>& values, std::size_t room) {
+  Column<T> smaller;
+  smaller.reserve(room);
+  smaller.assign(values.begin(), values.end());
+  values.swap(smaller);
+}
+
+/// As std::rotate, by places.
+template <class T>
+void rotate(Column<T>& values, std::size_t first, std::size_t middle, std::size_t last) {
+  const auto at = [&values](std::size_t place) {
+    return values.begin() + static_cast<std::ptrdiff_t>(place);
+  };
+  std::rotate(at(first), at(middle), at(last));
 }
 
 }  // namespace sandglass

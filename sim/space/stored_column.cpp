@@ -19,6 +19,13 @@ class StoredColumnOf final : public StoredColumn {
     values_.resize(particles, initial_);
     next_.resize(particles);
   }
+  void shrink(std::size_t room) override {
+    sandglass::shrink(values_, room);
+    sandglass::shrink(next_, room);
+  }
+  void rotate(std::size_t first, std::size_t middle, std::size_t last) override {
+    sandglass::rotate(values_, first, middle, last);
+  }
   void write(std::size_t first, const ColumnView& values) override {
     const T* source = static_cast<const T*>(values.numbers);
     std::copy(source, source + values.particles, values_.begin() + static_cast<std::ptrdiff_t>(first));

@@ -14,6 +14,10 @@ class StoredColumn {
   virtual ColumnView view() const = 0;
   /// Particles beyond those it holds get the initial value of the column.
   virtual void resize(std::size_t particles) = 0;
+  /// Keeps memory for as many particles.
+  virtual void shrink(std::size_t room) = 0;
+  /// As std::rotate.
+  virtual void rotate(std::size_t first, std::size_t middle, std::size_t last) = 0;
   /// Overwrites the values from `first` on.
   virtual void write(std::size_t first, const ColumnView& values) = 0;
   virtual void sort(const Column<CellPlace>& places, const std::uint32_t* begin) = 0;

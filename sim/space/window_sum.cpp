@@ -50,9 +50,10 @@ void WindowSum<D, Real>::set_volumes(std::span<const double> volumes) {
 }
 
 template <int D, class Real>
-void WindowSum<D, Real>::update(std::span<const std::uint32_t> offsets) {
+void WindowSum<D, Real>::update(std::span<const std::uint32_t> offsets, const SharedCells& work) {
   for (std::size_t cell = 0; cell < sum_.size(); ++cell)
     sum_[cell] = static_cast<Real>(offsets[cell + 1] - offsets[cell]);
+  work.complete<Real>(sum_);
   sum();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/space/lattice_of_cells.hpp"
+#include "sim/space/shared_cells.hpp"
 
 #include <array>
 #include <cstdint>
@@ -26,7 +27,8 @@ class WindowSum {
   std::span<Real> values() { return sum_; }
   void sum();
   /// The same for the particles of each cell, `offsets` as of ParticleStore.
-  void update(std::span<const std::uint32_t> offsets);
+  void update(std::span<const std::uint32_t> offsets, const SharedCells& work);
+  void update(std::span<const std::uint32_t> offsets) { update(offsets, all_cells(offsets)); }
 
   double sum(std::uint32_t cell) const { return static_cast<double>(sum_[cell]); }
   /// Relative volumes of the cells, where they differ or have changed: cells() counts them.

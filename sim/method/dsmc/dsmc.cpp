@@ -75,7 +75,8 @@ void Dsmc<D>::step(double dt, std::uint64_t step) {
   const StreamKey key(streams_.seed, purpose_, streams_.replica, step);
   if (excluded_) excluded_->mark(store_.offsets());
   stages_.apply(store_, key, step, dt);
-  if (factor_) factor_->update(store_.offsets(), excluded_ ? excluded_->full() : nullptr, species());
+  if (factor_)
+    factor_->update(store_.offsets(), this->work(), excluded_ ? excluded_->full() : nullptr, species());
   if (clocks_) clocks_->begin_step(dt);
   const motion::MotionStep motion = this->motion_step(dt, step);
   const CollisionStep<D> collisions = collision_step(dt, key);
@@ -144,9 +145,9 @@ template <int D>
 template <class Move>
 void Dsmc<D>::collide_and(const CollisionStep<D>& collisions, Move move) {
   const auto offsets = store_.offsets();
-  const auto cells = static_cast<std::uint32_t>(offsets.size() - 1);
+  const std::uint32_t cells = this->work().last();
   store_.begin_step();
-  for (std::uint32_t first = 0; first < cells;) {
+  for (std::uint32_t first = this->work().first(); first < cells;) {
     std::uint32_t last = first + 1;
     while (last < cells && offsets[last] - offsets[first] < kBlock) ++last;
     collisions_->collide(collisions, first, last);
@@ -177,6 +178,13 @@ std::map<std::string, double> Dsmc<D>::counters() const {
   if (excluded_) counters.merge(excluded_->counters());
   counters["bound-raised"] = static_cast<double>(bound_raised_);
   return counters;
+}
+
+template <int D>
+std::vector<std::uint64_t*> Dsmc<D>::counts() {
+  std::vector<std::uint64_t*> counts = CellSimulator<D>::counts();
+  counts.push_back(&bound_raised_);
+  return counts;
 }
 
 template <int D>

@@ -37,6 +37,8 @@ class Dsmc final : public CellSimulator<D> {
   std::size_t bytes() const override;
 
  private:
+  std::vector<std::uint64_t*> counts() override;
+
   using CellSimulator<D>::streams_, CellSimulator<D>::store_, CellSimulator<D>::tally_;
 
   void take_in(const Particles<D>& particles);

@@ -83,7 +83,7 @@ void expect_first_step(double weight, ContactFormula formula) {
   Dsmc<D> dsmc = simulation<D>(parameters);
   const View<D> view = dsmc.view();
   LocalContactFactor<D> factor(parameters, grid<D>(), all_axes<bool, D>(true), kParticles);
-  if (formula != nullptr) factor.update(view.offsets);
+  if (formula != nullptr) factor.update(view.offsets, all_cells(view.offsets));
   double expected = 0;
   for (std::uint32_t cell = 0; cell + 1 < view.offsets.size(); ++cell)
     for (std::uint32_t i = view.offsets[cell]; i < view.offsets[cell + 1]; ++i)

@@ -23,14 +23,15 @@ ExpectedPairs<D>::ExpectedPairs(const Parameters& parameters, const LatticeOfCel
       pairs_(cells, periodic, particles / cells.grid().size(), kLargeWindow) {}
 
 template <int D>
-void ExpectedPairs<D>::update(std::span<const std::uint32_t> offsets) {
-  particles_.update(offsets);
+void ExpectedPairs<D>::update(std::span<const std::uint32_t> offsets, const SharedCells& work) {
+  particles_.update(offsets, work);
   const std::span<double> pairs = pairs_.values();
-  for (std::size_t cell = 0; cell < pairs.size(); ++cell) {
+  for (std::uint32_t cell = work.first(); cell < work.last(); ++cell) {
     const double count = offsets[cell + 1] - offsets[cell];
     pairs[cell] = count * (count - 1);
     if (!volumes_.empty()) pairs[cell] /= volumes_[cell];
   }
+  work.complete(pairs);
   pairs_.sum();
 }
 

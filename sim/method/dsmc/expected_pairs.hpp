@@ -33,7 +33,7 @@ class ExpectedPairs {
   /// As WindowSum::set_volumes.
   void set_volumes(std::span<const double> volumes) { particles_.set_volumes(volumes); }
   /// `offsets` as of ParticleStore.
-  void update(std::span<const std::uint32_t> offsets);
+  void update(std::span<const std::uint32_t> offsets, const SharedCells& work);
   /// `contact` is the contact factor of the cell, one without.
   double factor(std::uint32_t cell, double contact) const;
   std::size_t bytes() const { return particles_.bytes() + pairs_.bytes(); }

@@ -43,7 +43,7 @@ Mean bias_by_chance(double per_cell, const Faults& faults) {
   std::vector<double> biases;
   for (std::uint64_t step = 0; step < 40; ++step) {
     const auto offsets = drop(per_cell, grid.size(), step);
-    expected.update(offsets);
+    expected.update(offsets, all_cells(offsets));
     double pairs = 0;
     for (std::uint32_t cell = 0; cell < grid.size(); ++cell) {
       const double count = offsets[cell + 1] - offsets[cell];
@@ -82,7 +82,7 @@ TEST(ExpectedPairs, AgreeWithTheirTwin) {
   const Parameters parameters = gas_with_offset<2>(0.2, 0.5);
   ExpectedPairs<2> expected(parameters, grid, periodic<2>(), 2.0 * grid.size());
   const auto offsets = drop(2, grid.size(), 3);
-  expected.update(offsets);
+  expected.update(offsets, all_cells(offsets));
   for (std::uint32_t cell : {0u, 17u, 450u, 899u}) {
     double particles = 0, pairs = 0;
     for (int dx = -kHalf; dx <= kHalf; ++dx)
@@ -105,7 +105,7 @@ TEST(ExpectedPairs, EmptySurroundingsHaveNone) {
   ExpectedPairs<2> expected(gas_with_offset<2>(0.2, 1), grid, periodic<2>(), 800);
   std::vector<std::uint32_t> offsets(grid.size() + 1, 1);
   offsets[0] = 0;  // one particle in all
-  expected.update(offsets);
+  expected.update(offsets, all_cells(offsets));
   for (std::uint32_t cell = 0; cell < grid.size(); ++cell) EXPECT_EQ(expected.factor(cell, 1), 1);
 }
 

@@ -36,10 +36,12 @@ double LocalContactFactor<D>::value(std::uint32_t cell, bool scatters) const {
 }
 
 template <int D>
-void LocalContactFactor<D>::update(std::span<const std::uint32_t> offsets, const std::uint8_t* full) {
-  window_.update(offsets);
-  const auto fill = [this](auto scatters) {
-    for (std::uint32_t cell = 0; cell < factor_.size(); ++cell) factor_[cell] = value(cell, scatters(cell));
+void LocalContactFactor<D>::update(std::span<const std::uint32_t> offsets, const SharedCells& work,
+                                   const std::uint8_t* full) {
+  window_.update(offsets, work);
+  const auto fill = [&](auto scatters) {
+    for (std::uint32_t cell = work.first(); cell < work.last(); ++cell)
+      factor_[cell] = value(cell, scatters(cell));
   };
   if (!smoothed_) return fill([](std::uint32_t) { return false; });
   if (full == nullptr) return fill([](std::uint32_t) { return true; });

@@ -48,7 +48,8 @@ class LocalContactFactor {
   /// As WindowSum::set_volumes.
   void set_volumes(std::span<const double> volumes) { window_.set_volumes(volumes); }
   /// `full`: per cell, not zero where it is full; null where none is.
-  void update(std::span<const std::uint32_t> offsets, const std::uint8_t* full = nullptr);
+  void update(std::span<const std::uint32_t> offsets, const SharedCells& work,
+              const std::uint8_t* full = nullptr);
   const double* values() const { return factor_.data(); }
   std::size_t bytes() const { return factor_.capacity() * sizeof(double) + window_.bytes(); }
 

@@ -54,7 +54,7 @@ Mean bias(double lambda, bool smoothed, bool periodic) {
   for (std::uint64_t draw = 0; draw < 60; ++draw) {
     Random random(StreamKey(9, Purpose::positions, 0, draw), 0);
     const auto offsets = drop(static_cast<std::uint32_t>(lambda * grid.size()), grid.size(), random);
-    factor.update(offsets);
+    factor.update(offsets, all_cells(offsets));
     double with_factor = 0, without = 0;
     for (std::uint32_t cell = 0; cell < grid.size(); ++cell) {
       const double count = offsets[cell + 1] - offsets[cell];
@@ -94,8 +94,8 @@ TEST(LocalContactFactor, OfUniformCountsIsTheFormula) {
   for (std::uint32_t cell = 0; cell < grid.size(); ++cell) offsets.push_back(offsets.back() + 4);
   LocalContactFactor<2> smoothed(parameters_of<2>(4, true), grid, {true, true}, 4.0 * grid.size());
   LocalContactFactor<2> own(parameters_of<2>(4, false), grid, {true, true}, 4.0 * grid.size());
-  smoothed.update(offsets);
-  own.update(offsets);
+  smoothed.update(offsets, all_cells(offsets));
+  own.update(offsets, all_cells(offsets));
   const double quantum = 0.25 / 4 / 25, fraction = (100 - 2) * quantum;  // a window of 5 x 5 cells
   const ContactValue contact = henderson(fraction);
   for (std::uint32_t cell = 0; cell < grid.size(); ++cell) {
@@ -116,7 +116,7 @@ TEST(LocalContactFactor, OfARisingDensityIsThatOfTheMiddleOfTheWindow) {
   for (std::uint32_t row = 0; row < 20; ++row)
     for (std::uint32_t cell = 0; cell < 6; ++cell) offsets.push_back(offsets.back() + 20 + 2 * row);
   LocalContactFactor<2> factor(parameters, grid, {true, false}, 1);
-  factor.update(offsets);
+  factor.update(offsets, all_cells(offsets));
   const double particle = kFraction<2> / 40;
   for (std::uint32_t row = 0; row < 16; ++row) {
     const double cut = row < kWidth / 2 ? kWidth / 2 - row : 0;
@@ -136,7 +136,7 @@ TEST(LocalContactFactor, StaysFiniteBeyondClosePacking) {
     std::vector<std::uint32_t> offsets(grid.size() + 1, 100'000);
     offsets[0] = 0;
     LocalContactFactor<3> factor(parameters_of<3>(2, smoothed), grid, {true, true, true}, 128);
-    factor.update(offsets);
+    factor.update(offsets, all_cells(offsets));
     for (std::uint32_t cell = 0; cell < grid.size(); ++cell) {
       ASSERT_TRUE(std::isfinite(factor.values()[cell]));
       ASSERT_GE(factor.values()[cell], 0);
@@ -152,7 +152,7 @@ TEST(LocalContactFactor, OfFullCellsIsThatOfTheirDensity) {
   for (std::uint32_t cell = 0; cell <= grid.size(); ++cell) offsets[cell] = 10 * cell;
   std::vector<std::uint8_t> full(grid.size());
   full[7] = 1;
-  factor.update(offsets, full.data());
+  factor.update(offsets, all_cells(offsets), full.data());
   const double expected = henderson(kFraction<2>).value;
   EXPECT_NEAR(factor.values()[7], expected, 1e-12 * expected);
   EXPECT_LT(factor.values()[8], 0.995 * expected);

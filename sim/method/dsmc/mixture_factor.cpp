@@ -29,19 +29,24 @@ void MixtureContactFactor<D>::set_volumes(std::span<const double> volumes) {
 }
 
 template <int D>
-void MixtureContactFactor<D>::update(std::span<const std::uint32_t> offsets, const std::uint8_t* species) {
-  count(offsets, species);
-  for (std::uint32_t cell = 0; cell < largest_.size(); ++cell)
+void MixtureContactFactor<D>::update(std::span<const std::uint32_t> offsets, const SharedCells& work,
+                                     const std::uint8_t* species) {
+  count(offsets, work, species);
+  for (std::uint32_t cell = work.first(); cell < work.last(); ++cell)
     if (offsets[cell + 1] - offsets[cell] > 1) update_cell(cell);
 }
 
 template <int D>
-void MixtureContactFactor<D>::count(std::span<const std::uint32_t> offsets, const std::uint8_t* species) {
+void MixtureContactFactor<D>::count(std::span<const std::uint32_t> offsets, const SharedCells& work,
+                                    const std::uint8_t* species) {
   for (WindowSum<D>& window : windows_) std::ranges::fill(window.values(), 0.0f);
-  for (std::uint32_t cell = 0; cell < largest_.size(); ++cell)
+  for (std::uint32_t cell = work.first(); cell < work.last(); ++cell)
     for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i)
       windows_[species[i]].values()[cell] += 1;
-  for (WindowSum<D>& window : windows_) window.sum();
+  for (WindowSum<D>& window : windows_) {
+    work.complete(window.values());
+    window.sum();
+  }
 }
 
 template <int D>

@@ -22,7 +22,7 @@ class MixtureContactFactor {
   /// As WindowSum::set_volumes.
   void set_volumes(std::span<const double> volumes);
   /// `offsets` as of ParticleStore, `species` of each particle.
-  void update(std::span<const std::uint32_t> offsets, const std::uint8_t* species);
+  void update(std::span<const std::uint32_t> offsets, const SharedCells& work, const std::uint8_t* species);
   /// The largest of each cell.
   const double* values() const { return largest_.data(); }
   /// All in units of the largest, of species a with species b at [(cell * species + a) * species + b].
@@ -30,7 +30,7 @@ class MixtureContactFactor {
   std::size_t bytes() const;
 
  private:
-  void count(std::span<const std::uint32_t> offsets, const std::uint8_t* species);
+  void count(std::span<const std::uint32_t> offsets, const SharedCells& work, const std::uint8_t* species);
   void update_cell(std::uint32_t cell);
   double of_pair(std::uint32_t cell, std::size_t first, std::size_t second) const;
 

@@ -63,7 +63,7 @@ void expect_one_species() {
   MixtureContactFactor<D> two(parameters, grid, all_periodic<D>(), 5.0 * grid.size());
   LocalContactFactor<D> one(parameters, grid, all_periodic<D>(), 5.0 * grid.size());
   const Dropped dropped = drop(5 * grid.size(), grid.size(), 0);
-  two.update(dropped.offsets, dropped.species.data());
+  two.update(dropped.offsets, all_cells(dropped.offsets), dropped.species.data());
   one.update(dropped.offsets);
   for (std::uint32_t cell = 0; cell < grid.size(); ++cell) {
     if (dropped.offsets[cell + 1] - dropped.offsets[cell] < 2) continue;
@@ -86,7 +86,7 @@ void expect_no_bias(double per_cell) {
   std::array<std::vector<double>, 4> ratios;
   for (std::uint64_t number = 0; number < 60; ++number) {
     const Dropped dropped = drop(static_cast<std::uint32_t>(per_cell * grid.size()), grid.size(), number);
-    factor.update(dropped.offsets, dropped.species.data());
+    factor.update(dropped.offsets, all_cells(dropped.offsets), dropped.species.data());
     std::array<double, 4> with{}, without{};
     for (std::uint32_t cell = 0; cell < grid.size(); ++cell)
       for (std::uint32_t i = dropped.offsets[cell]; i < dropped.offsets[cell + 1]; ++i)
@@ -124,7 +124,7 @@ TEST(MixtureContactFactor, StaysFiniteBeyondClosePacking) {
   std::vector<std::uint32_t> offsets(grid.size() + 1, 10'000);
   offsets[0] = 0;
   const std::vector<std::uint8_t> species(10'000, 1);
-  factor.update(offsets, species.data());
+  factor.update(offsets, all_cells(offsets), species.data());
   EXPECT_TRUE(std::isfinite(factor.values()[0]));
   EXPECT_GE(factor.values()[0], 0);
 }
@@ -135,7 +135,7 @@ TEST(MixtureContactFactor, FaultGivesAllPairsTheLargest) {
   parameters.faults.contact_of_largest = true;
   MixtureContactFactor<2> factor(parameters, grid, all_periodic<2>(), 10.0 * grid.size());
   const Dropped dropped = drop(10 * grid.size(), grid.size(), 0);
-  factor.update(dropped.offsets, dropped.species.data());
+  factor.update(dropped.offsets, all_cells(dropped.offsets), dropped.species.data());
   for (std::size_t pair = 0; pair < 4; ++pair) EXPECT_EQ(factor.shares()[pair], 1);
 }
 

@@ -24,12 +24,13 @@ void PairFactor<D>::update_volumes() {
 }
 
 template <int D>
-void PairFactor<D>::update(std::span<const std::uint32_t> offsets, const std::uint8_t* full,
-                           const std::uint8_t* species) {
-  if (contact_) contact_->update(offsets, full);
-  if (mixture_) mixture_->update(offsets, species);
-  if (expected_) expected_->update(offsets);
-  for (std::uint32_t cell = 0; cell < product_.size(); ++cell) {
+void PairFactor<D>::update(std::span<const std::uint32_t> offsets, const SharedCells& work,
+                           const std::uint8_t* full, const std::uint8_t* species) {
+  if (contact_) contact_->update(offsets, work, full);
+  if (mixture_) mixture_->update(offsets, work, species);
+  if (expected_) expected_->update(offsets, work);
+  if (product_.empty()) return;
+  for (std::uint32_t cell = work.first(); cell < work.last(); ++cell) {
     const double contact = this->contact() != nullptr ? this->contact()[cell] : 1;
     product_[cell] = expected_ ? contact * expected_->factor(cell, contact) : contact;
     if (!volumes_.empty()) product_[cell] /= volumes_[cell];

@@ -23,9 +23,9 @@ class PairFactor {
 
   /// The volumes have changed.
   void update_volumes();
-  /// `offsets` as of ParticleStore; `full` as of LocalContactFactor; `species` of each particle, where there are several.
-  void update(std::span<const std::uint32_t> offsets, const std::uint8_t* full = nullptr,
-              const std::uint8_t* species = nullptr);
+  /// In the cells of `work`. `offsets` as of ParticleStore; `full` as of LocalContactFactor; `species` of each particle, where there are several.
+  void update(std::span<const std::uint32_t> offsets, const SharedCells& work,
+              const std::uint8_t* full = nullptr, const std::uint8_t* species = nullptr);
   const double* values() const { return product_.empty() ? contact() : product_.data(); }
   /// As of CollisionStep::contact.
   const double* contact_of_pairs() const { return mixture_ ? mixture_->shares() : nullptr; }

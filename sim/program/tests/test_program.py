@@ -1,5 +1,7 @@
 """The command line as a user meets it: what it prints, writes and returns. Needs build/release/sandglass."""
 
+import importlib.machinery
+import importlib.util
 import json
 import os
 import pathlib
@@ -342,8 +344,10 @@ def test_full_disk_is_named_and_leaves_nothing_half_written(scene, tmp_path):
 
 MPIRUN = shutil.which("mpirun.openmpi") or shutil.which("mpirun")
 AS_ANYONE = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-             "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
+             "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
+             "OMPI_MCA_mpi_yield_when_idle": "1"}
 REFUSAL = "started on 2 ranks"
+needs_mpirun = pytest.mark.skipif(MPIRUN is None, reason="no mpirun here")
 
 
 def run_on_ranks(count, *arguments, folder):
@@ -352,15 +356,91 @@ def run_on_ranks(count, *arguments, folder):
                           env=os.environ | AS_ANYONE)
 
 
-@pytest.mark.skipif(MPIRUN is None, reason="no mpirun here")
-def test_more_than_one_rank_is_refused_once(scene, tmp_path):
-    finished = run_on_ranks(2, "run", scene.name, folder=tmp_path)
-    assert finished.returncode == 2
-    assert finished.stderr.count(REFUSAL) == 1
+def same_states():
+    loader = importlib.machinery.SourceFileLoader("same_states", str(ROOT / "ci" / "same-states"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("same_states", loader))
+    loader.exec_module(module)
+    return module
+
+
+def assert_same_record(one, other):
+    """All that a run works out, bit for bit."""
+    compare = same_states()
+    one, other = compare.datasets(one), compare.datasets(other)
+    assert one.keys() == other.keys()
+    assert not [name for name in one if compare.difference(one[name], other[name])]
+
+
+@needs_mpirun
+@pytest.mark.parametrize("ranks", [2, 7])
+def test_ranks_give_the_record_of_one(scene, tmp_path, ranks):
+    assert run("run", scene.name, "-o", "one.h5", "--quiet", folder=tmp_path).returncode == 0
+    finished = run_on_ranks(ranks, "run", scene.name, "-o", "many.h5", folder=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    assert finished.stdout.count("many.h5: 1 replica(s)") == 1
+    assert_same_record(tmp_path / "one.h5", tmp_path / "many.h5")
+    with h5py.File(tmp_path / "many.h5") as file:
+        assert file["sandglass/timings/ranks"][()] == ranks
+        assert 1 <= file["sandglass/timings/imbalance"][()] < 2
+
+
+@needs_mpirun
+def test_ranks_that_are_stopped_leave_one_checkpoint_for_any_number(tmp_path):
+    scene = SCENE.replace("STEPS", "2000").replace("[output]", "[output]\ncheckpoint = { steps = 100 }")
+    (tmp_path / "gas.toml").write_text(scene)
+    assert run("run", "gas.toml", "-o", "whole.h5", "--quiet", folder=tmp_path).returncode == 0
+    process = subprocess.Popen([MPIRUN, "-n", "3", str(PROGRAM), "run", "gas.toml", "-o", "cut.h5"], cwd=tmp_path,
+                               text=True, stderr=subprocess.PIPE, stdout=subprocess.PIPE, env=os.environ | AS_ANYONE)
+    wait_for(tmp_path / "cut.checkpoint.h5")
+    process.terminate()
+    _, words = process.communicate(timeout=60)
+    assert process.returncode != 0 and words.count("sandglass resume cut.checkpoint.h5") == 1
+    assert run_on_ranks(2, "resume", "cut.checkpoint.h5", "--quiet", folder=tmp_path).returncode == 0
+    assert_same_record(tmp_path / "whole.h5", tmp_path / "cut.h5")
+
+
+@needs_mpirun
+def test_a_rank_that_dies_ends_all_and_leaves_the_last_checkpoint(tmp_path):
+    scene = SCENE.replace("STEPS", "100000").replace("[output]", "[output]\ncheckpoint = { steps = 100 }")
+    (tmp_path / "gas.toml").write_text(scene)
+    process = subprocess.Popen([MPIRUN, "-n", "2", str(PROGRAM), "run", "gas.toml"], cwd=tmp_path, text=True,
+                               stderr=subprocess.PIPE, stdout=subprocess.PIPE, env=os.environ | AS_ANYONE)
+    wait_for(tmp_path / "gas.checkpoint.h5")
+    ranks = subprocess.run(["ps", "-o", "pid=", "--ppid", str(process.pid)], capture_output=True, text=True, check=True)
+    os.kill(int(ranks.stdout.split()[-1]), signal.SIGKILL)
+    _, words = process.communicate(timeout=60)
+    assert process.returncode != 0 and "Killed" in words
+    with h5py.File(tmp_path / "gas.checkpoint.h5") as file:
+        assert "state" in file["sandglass"]
+
+
+@needs_mpirun
+def test_what_ranks_cannot_share_is_refused_once(scene, tmp_path):
+    scene.write_text(scene.read_text().replace("cba", "hsmc"))
+    refused = run_on_ranks(2, "run", scene.name, folder=tmp_path)
+    assert refused.returncode == 2
+    assert refused.stderr.count(REFUSAL) == 1 and refused.stderr.count("set 'run.replicas' to 2 or more") == 1
+    listed = run_on_ranks(2, "list", "methods", folder=tmp_path)
+    assert listed.returncode == 2 and listed.stderr.count(REFUSAL) == 1
     assert sorted(os.listdir(tmp_path)) == ["gas.toml"]
 
 
-@pytest.mark.skipif(MPIRUN is None, reason="no mpirun here")
+@needs_mpirun
+def test_an_error_of_the_first_rank_alone_ends_all(scene, tmp_path):
+    (tmp_path / "gas.h5").write_text("stands here already")
+    refused = run_on_ranks(2, "run", scene.name, folder=tmp_path)
+    assert refused.returncode == 2 and refused.stderr.count("--overwrite") == 1
+
+
+@needs_mpirun
+def test_ranks_share_replicas(scene, tmp_path):
+    scene.write_text(scene.read_text().replace("seed = 1", "seed = 1, replicas = 3").replace("cba", "hsmc"))
+    assert run("run", scene.name, "-o", "one.h5", "--quiet", folder=tmp_path).returncode == 0
+    assert run_on_ranks(2, "run", scene.name, "-o", "many.h5", "--quiet", folder=tmp_path).returncode == 0
+    assert_same_record(tmp_path / "one.h5", tmp_path / "many.h5")
+
+
+@needs_mpirun
 def test_one_rank_runs_as_without_mpirun(scene, tmp_path):
     assert run_on_ranks(1, "run", scene.name, "-o", "mpi.h5", "--quiet", folder=tmp_path).returncode == 0
     assert run("run", scene.name, "-o", "plain.h5", "--quiet", folder=tmp_path).returncode == 0

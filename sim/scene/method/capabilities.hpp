@@ -24,7 +24,7 @@ struct Capabilities {
   bool outflows = false;        ///< open sides may send back some of those who come
   bool cells = false;           ///< that the scene may choose, and in which particles collide
   bool restartable = true;
-  bool ranks = false;  ///< runs on more than one
+  bool ranks = false;  ///< ranks may share its cells; kept_whole() says what forbids it
 };
 
 /// Of the scene's family.
@@ -32,6 +32,8 @@ const Capabilities& capabilities(const Scene& scene);
 
 // What a scene chose, whichever family offers the choice.
 
+/// What of the scene keeps its box whole, where ranks might share the cells; empty where they can.
+std::string kept_whole(const Scene& scene);
 /// Cells along each axis; empty where the method chooses them.
 std::vector<double> cells_along(const Scene& scene);
 /// The whole numbers of cells nearest to this edge, at least one along each axis, and none that makes cells narrower than

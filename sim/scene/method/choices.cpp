@@ -64,6 +64,22 @@ bool has_diagonal_cells(const Scene& scene) {
   return choice(scene.method, false, get);
 }
 
+std::string kept_whole(const Scene& scene) {
+  if (!capabilities(scene).ranks) return "method '" + method_family(scene) + "'";
+  if (!scene.sources.empty()) return "a [[source]]";
+  if (!scene.inflows.empty()) return "an [[inflow]]";
+  if (!scene.regions.empty()) return "a [[region]]";
+  const auto get =
+      [](const auto& options) -> decltype(std::string(options.lattice != CellLattice::fixed, ' ')) {
+    if (options.excluded_volume == ExcludedVolume::cells) return "excluded-volume = \"cells\"";
+    if (options.partners == Partners::contact) return "partners = \"contact\"";
+    if (options.pair_count == PairCount::time_counter) return "pair-count = \"time-counter\"";
+    if (options.impact == ImpactDistribution::fitted) return "impact = \"fitted\"";
+    return "";
+  };
+  return choice(scene.method, std::string(), get);
+}
+
 double least_cell_edge(const Scene& scene) {
   const auto get = [](const auto& options) -> decltype(options.partners == Partners::contact) {
     return options.partners == Partners::contact;

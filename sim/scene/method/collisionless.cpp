@@ -13,6 +13,7 @@ MethodFamily make_family() {
   family.name = "collisionless";
   family.can.collisions = false;
   family.can.weights = true;
+  family.can.ranks = true;
   family.can.wall_rules = {specular, bounce_back, random_tangential_sign, thermal};
   family.can.obstacles = true;
   family.can.varying_number = true;

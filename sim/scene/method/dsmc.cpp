@@ -190,6 +190,7 @@ MethodFamily make_family() {
   family.can.species = true;
   family.can.spins = true;
   family.can.cells = true;
+  family.can.ranks = true;
   family.can.wall_rules = {specular, bounce_back, random_tangential_sign, thermal};
   family.can.obstacles = true;
   family.can.varying_number = true;
