@@ -64,7 +64,7 @@ void expect_one_species() {
   LocalContactFactor<D> one(parameters, grid, all_periodic<D>(), 5.0 * grid.size());
   const Dropped dropped = drop(5 * grid.size(), grid.size(), 0);
   two.update(dropped.offsets, all_cells(dropped.offsets), dropped.species.data());
-  one.update(dropped.offsets);
+  one.update(dropped.offsets, all_cells(dropped.offsets));
   for (std::uint32_t cell = 0; cell < grid.size(); ++cell) {
     if (dropped.offsets[cell + 1] - dropped.offsets[cell] < 2) continue;
     ASSERT_NEAR(two.values()[cell], one.values()[cell], 1e-12);
