@@ -1,6 +1,5 @@
 #include "sim/method/cell_simulator.hpp"
 
-#include "sim/method/counts_of_ranks.hpp"
 #include "sim/observe/axes.hpp"
 
 namespace sandglass {
@@ -42,10 +41,8 @@ View<D> CellSimulator<D>::view() {
 template <int D>
 View<D> CellSimulator<D>::view_of_all() {
   if (!shared_) return view();
-  if (gathered_ == nullptr) {
-    gathered_ = &shared_->gather();
-    gather_counts();
-  }
+  gather_counts();
+  if (gathered_ == nullptr) gathered_ = &shared_->gather();
   return view_of(*gathered_);
 }
 
@@ -149,13 +146,12 @@ std::vector<std::uint64_t*> CellSimulator<D>::counts() {
 
 template <int D>
 void CellSimulator<D>::gather_counts() {
-  CountsOfRanks<D> mine{tally_, counts(), motion_parameters_.planes, motion_parameters_.impulses};
-  mine.gather(work().ranks());
+  if (shared_) all_counts().gather(work().ranks());
 }
 
 template <int D>
 void CellSimulator<D>::clear_counts() {
-  CountsOfRanks<D>{tally_, counts(), motion_parameters_.planes, motion_parameters_.impulses}.clear();
+  all_counts().clear();
 }
 
 template <int D>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/method/cloner.hpp"
+#include "sim/method/counts_of_ranks.hpp"
 #include "sim/method/simulator.hpp"
 #include "sim/motion/entrance.hpp"
 #include "sim/motion/motion_stage.hpp"
@@ -26,6 +27,7 @@ class CellSimulator : public Simulator<D> {
   void assign(const Particles<D>& particles) override;
   View<D> view() override;
   View<D> view_of_all() override;
+  void gather_counts() override;
   std::span<const std::uint64_t> ids() const override { return store_.ids(); }
   std::uint64_t size() const override { return store_.size(); }
   void insert(const Particles<D>& particles) override;
@@ -70,7 +72,9 @@ class CellSimulator : public Simulator<D> {
     return {streams_.seed, Purpose::cloning, streams_.replica, step};
   }
   View<D> view_of(const ParticleStore<D>& store);
-  void gather_counts();
+  CountsOfRanks<D> all_counts() {
+    return {tally_, counts(), motion_parameters_.planes, motion_parameters_.impulses};
+  }
   void count_those_who_leave();
   void count_one_who_leaves(const Vector<D>& position);
 

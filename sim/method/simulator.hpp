@@ -24,8 +24,10 @@ class Simulator {
   virtual void step(double dt, std::uint64_t step) = 0;
   /// Particles, cells and counters; time and step are the run's to fill in. Shared out: those of this rank.
   virtual View<D> view() = 0;
-  /// Shared out: the particles and counts of all ranks on the first of them, which then has all counts itself.
+  /// Shared out: the particles and counts of all ranks, on the first of them.
   virtual View<D> view_of_all() { return view(); }
+  /// Shared out: the first rank takes over what all have counted.
+  virtual void gather_counts() {}
   virtual std::span<const std::uint64_t> ids() const = 0;
   /// Particles that it holds now.
   virtual std::uint64_t size() const = 0;

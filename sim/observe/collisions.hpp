@@ -11,6 +11,7 @@ class CollisionCount final : public Observer<D> {
   explicit CollisionCount(bool candidates) : candidates_(candidates) {}
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
+  bool sums_up() const override { return true; }
   bool cumulative() const override { return true; }
 
  private:
@@ -25,6 +26,7 @@ class Pressure final : public Observer<D> {
  public:
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
+  bool sums_up() const override { return true; }
   bool measures_at_start() const override { return false; }
   void start(const View<D>& view) override;
   std::vector<double> save() const override;
@@ -70,6 +72,7 @@ class Crossings final : public Observer<D> {
   Crossings(const ObserverSpec& spec, std::size_t plane) : spec_(spec), plane_(plane) {}
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
+  bool sums_up() const override { return true; }
   bool measures_at_start() const override { return false; }
 
  private:
@@ -84,6 +87,7 @@ class CrossingCount final : public Observer<D> {
   explicit CrossingCount(std::size_t plane) : plane_(plane) {}
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
+  bool sums_up() const override { return true; }
   bool cumulative() const override { return true; }
 
  private:

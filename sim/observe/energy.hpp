@@ -12,6 +12,7 @@ class Energy final : public Observer<D> {
  public:
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
+  bool sums_up() const override { return true; }
 };
 
 /// Granular temperature per axis and their mean.
@@ -20,6 +21,7 @@ class Temperature final : public Observer<D> {
  public:
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
+  bool sums_up() const override { return true; }
 };
 
 /// Total momentum of the real particles.
@@ -28,6 +30,7 @@ class Momentum final : public Observer<D> {
  public:
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
+  bool sums_up() const override { return true; }
 };
 
 /// Sum of m|v|: what the rounding of the total momentum is measured by.
@@ -36,6 +39,7 @@ class MomentumScale final : public Observer<D> {
  public:
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
+  bool sums_up() const override { return true; }
 };
 
 }  // namespace sandglass

@@ -27,6 +27,9 @@ class Observer {
   virtual Quantity quantity() const = 0;
   virtual std::vector<double> measure(
       const View<D>& view) = 0;  ///< empty: no sample (a mean of no particles)
+  /// It takes nothing of the particles but sums as of sum_particles(), and counts: where ranks share the particles it sees
+  /// those of its rank, and nobody gathers them.
+  virtual bool sums_up() const { return false; }
   /// False for what is measured over the time since the previous sample.
   virtual bool measures_at_start() const { return true; }
   /// A count since time zero: its estimate is a rate.

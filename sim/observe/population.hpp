@@ -108,7 +108,8 @@ auto with_population(const View<D>& view, Use use) {
     return use(population_of(kinds, ManyWeights{weights}, particles));
   };
   const auto species = view.columns.get(column::species);
-  if (species.empty()) return weighted(OneSpecies{view.traits.front()});
+  const bool idle = view.ranks != nullptr && view.traits.size() > 1;  // without a particle there is no column
+  if (species.empty() && !idle) return weighted(OneSpecies{view.traits.front()});
   return weighted(SeveralSpecies{species, view.traits});
 }
 

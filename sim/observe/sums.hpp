@@ -67,7 +67,7 @@ Vector<D> mean_velocity(const View<D>& view, const All& all) {
     return momentum;
   });
   Vector<D> mean = Vector<D>::Zero();
-  if (view.particles.empty()) return mean;
+  if (all.count == 0) return mean;
   for (int axis = 0; axis < D; ++axis) mean[axis] = sum[static_cast<std::size_t>(axis)] / all.total_mass;
   return mean;
 }

@@ -17,6 +17,7 @@ class WallForce final : public Observer<D> {
   WallForce(const ObserverSpec& spec, Kind kind);
   Quantity quantity() const override;
   std::vector<double> measure(const View<D>& view) override;
+  bool sums_up() const override { return true; }
   bool measures_at_start() const override { return false; }
   /// Throws InputError for a method that does not count what hits the walls, and for a weight column.
   void start(const View<D>& view) override;

@@ -3,6 +3,7 @@
 #include "sim/program/options.hpp"
 #include "sim/program/table.hpp"
 #include "sim/run/run.hpp"
+#include "sim/scene/method/capabilities.hpp"
 
 #include <cmath>
 
@@ -13,8 +14,17 @@ namespace sandglass::program {
 
 namespace {
 
-nlohmann::json as_json(const Plan& plan) {
+/// What `mpirun -n N` makes of the scene.
+std::string of_ranks(const Scene& scene) {
+  const std::string whole = kept_whole(scene);
+  if (whole.empty())
+    return "share the cells, or replicas where there are as many and no checkpoint is asked for";
+  return whole + " keeps the cells of a replica on one; several replicas may be shared, without checkpoints";
+}
+
+nlohmann::json as_json(const Plan& plan, const Scene& scene) {
   return {{"method", plan.method},
+          {"ranks", of_ranks(scene)},
           {"particles", plan.particles},
           {"most_particles", plan.most_particles},
           {"cells", plan.cells},
@@ -54,7 +64,7 @@ std::string most(const Plan& plan) {
                      plan.most_particles);
 }
 
-std::string as_text(const Plan& plan) {
+std::string as_text(const Plan& plan, const Scene& scene) {
   std::vector<std::vector<std::string>> rows = {
       {"method", plan.method},
       {"particles", fmt::format("{} x {} replica(s){}", plan.particles, plan.replicas, most(plan))},
@@ -63,6 +73,7 @@ std::string as_text(const Plan& plan) {
       {"time step", fmt::format("{:.6g} ({:.3g} collisions per particle)", plan.time_step,
                                 plan.collisions_per_particle_and_step)},
       {"memory", memory_words(plan)},
+      {"ranks", of_ranks(scene)},
       {"work", work(plan)},
       {"columns", joined(plan.columns)},
       {"in use", joined(plan.used)},
@@ -77,8 +88,9 @@ std::string as_text(const Plan& plan) {
 }  // namespace
 
 int show_plan(const Options& options) {
-  const Plan planned = plan(read_edited_scene(options.subject, options.settings));
-  fmt::print("{}", options.json ? as_json(planned).dump(2) + "\n" : as_text(planned));
+  const Scene scene = read_edited_scene(options.subject, options.settings);
+  const Plan planned = plan(scene);
+  fmt::print("{}", options.json ? as_json(planned, scene).dump(2) + "\n" : as_text(planned, scene));
   return all_well;
 }
 

@@ -53,6 +53,15 @@ species = [{ name = "a", area-fraction = 0.1, restitution = 0.8 }, { name = "b",
 observe = [{ what = "centre-of-mass", every = { steps = 5 } }]
 output = { trajectory = { steps = 30 }, checkpoint = { steps = 23 } }
 )"},
+                                                         {"idle ranks", R"(
+run = { seed = 3, duration = { steps = 40 } }
+domain = { dimension = 3, size = [4.0, 4.0, 4.0] }
+method = { preset = "cba", cell-size = 2.0, time-step = { collisions-per-particle = 0.2 } }
+species = [{ name = "a", count = 3 }, { name = "b", count = 2, diameter = 0.6, mass = 0.3 }]
+observe = [{ what = "momentum", every = { steps = 5 } }, { what = "energy", every = { steps = 5 } },
+           { what = "pressure", every = { steps = 5 } }, { what = "moments", every = { steps = 5 } }]
+output = { trajectory = { steps = 20 }, checkpoint = { steps = 15 } }
+)"},
                                                          {"outflow", R"(
 run = { seed = 5, duration = { time = 8.0 } }
 domain = { dimension = 3, size = [12.0, 6.0, 6.0], sides = { x = "open", z = "specular" } }

@@ -63,7 +63,8 @@ void ReplicaRun<D>::start() {
   count();
   collisions_ = {totals_.particles};
   for (Watch& watch : watches_) {
-    if (const View<D> now = view(); observes()) watch.observer->start(now);
+    if (const View<D> now = view_for(*watch.observer); observes() || watch.observer->sums_up())
+      watch.observer->start(now);
     if (watch.observer->measures_at_start()) sample(watch);
   }
   if (frames_) take_frame();
@@ -158,11 +159,18 @@ View<D> ReplicaRun<D>::completed(View<D> view) const {
 }
 
 template <int D>
+View<D> ReplicaRun<D>::view_for(const Observer<D>& observer) {
+  if (!observer.sums_up()) return view();
+  simulator_->gather_counts();
+  return completed(simulator_->view());
+}
+
+template <int D>
 void ReplicaRun<D>::sample(Watch& watch) {
-  const View<D> now = view();
-  if (!observes()) return;
+  const View<D> now = view_for(*watch.observer);
+  if (!observes() && !watch.observer->sums_up()) return;
   const std::vector<double> values = watch.observer->measure(now);
-  if (values.empty()) return;
+  if (values.empty() || !observes()) return;
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
     throw RunError(
         fmt::format("step {}, time {:.6g}, replica {}: '{}' is not a finite number; the state is broken "
@@ -233,7 +241,7 @@ void ReplicaRun<D>::load(const State& state) {
 template <int D>
 Replica ReplicaRun<D>::result() {
   if (trace_) trace_->flush();
-  if (ranks_ != nullptr) view();  // the counts of all come to the first
+  simulator_->gather_counts();
   Replica replica{scene_.run.seed, {}, counters()};
   for (Watch& watch : watches_) replica.series.push_back(std::move(watch.series));
   return replica;

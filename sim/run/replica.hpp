@@ -60,6 +60,7 @@ class ReplicaRun {
   void load(const State& state);
   View<D> completed(View<D> view) const;
   View<D> view() { return completed(simulator_->view_of_all()); }
+  View<D> view_for(const Observer<D>& observer);
   void sample(Watch& watch);
   void sample_what_is_due();
   void refuse_standstill() const;
