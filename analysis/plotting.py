@@ -2,6 +2,8 @@
 
 import re
 import textwrap
+import tomllib
+from pathlib import Path
 
 import matplotlib
 
@@ -31,7 +33,7 @@ pyplot.rcParams.update({
 
 
 # Colour and marker of a method are the same in every picture.
-METHODS = ["event-driven", "dsmc", "hsmc", "cba", "dsmc-enskog", "esmc", "cba-corrected", "dsmc-bird", "cuba"]
+METHODS = tomllib.loads((Path(__file__).parent / "methods.toml").read_text(encoding="utf-8"))["methods"]
 
 
 def method_look(variant, others=()):

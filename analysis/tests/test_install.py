@@ -18,7 +18,7 @@ def test_every_file_of_the_package_is_installed():
              if "tests" not in path.parts}
     assert set(setup["packages"]) == rooms
     taken = {path for pattern in setup["package-data"]["analysis"] for path in TOP.glob(pattern)}
-    assert taken == {path for path in TOP.rglob("*") if path.suffix in (".css", ".j2", ".js")}
+    assert taken == {path for path in TOP.rglob("*") if path.suffix in (".css", ".j2", ".js", ".toml")}
 
 
 def test_every_import_is_a_dependency():
