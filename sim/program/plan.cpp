@@ -16,7 +16,8 @@ namespace {
 /// What `mpirun -n N` makes of the scene.
 std::string of_ranks(const Scene& scene) {
   const std::string whole = kept_whole(scene);
-  if (whole.empty()) return "share the cells, or replicas where there are as many and no checkpoint is asked for";
+  if (whole.empty())
+    return "share the cells, or replicas where there are as many and no checkpoint is asked for";
   return whole + " keeps the cells of a replica on one; several replicas may be shared, without checkpoints";
 }
 
