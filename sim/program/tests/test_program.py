@@ -432,6 +432,26 @@ def test_an_error_of_the_first_rank_alone_ends_all(scene, tmp_path):
     assert refused.returncode == 2 and refused.stderr.count("--overwrite") == 1
 
 
+TOO_FAST = """
+run = { seed = 1, duration = { steps = 20 } }
+domain = { dimension = 2, size = [20.0, 20.0] }
+method = { preset = "collisionless", time-step = 0.5 }
+initial = { positions = "given" }
+species = [{ diameter = 0.1 }]
+particle = [{ position = [1.0, 1.0], velocity = [0.1, 0.0] }, { position = [19.0, 19.0], velocity = [1e9, 0.0] }]
+obstacle = [{ centre = [10.0, 10.0], radius = 1.0 }]
+observe = [{ what = "energy", every = { steps = 5 } }]
+"""
+
+
+@needs_mpirun
+def test_an_error_of_another_rank_alone_ends_all(tmp_path):
+    """The fast particle is the second rank's."""
+    (tmp_path / "fast.toml").write_text(TOO_FAST)
+    broken = run_on_ranks(2, "run", "fast.toml", folder=tmp_path)
+    assert broken.returncode == 3 and broken.stderr.count("a million times in one step") == 1
+
+
 @needs_mpirun
 def test_ranks_share_replicas(scene, tmp_path):
     scene.write_text(scene.read_text().replace("seed = 1", "seed = 1, replicas = 3").replace("cba", "hsmc"))
