@@ -19,6 +19,7 @@ CellSimulator<D>::CellSimulator(const LatticeOfCells<D>& cells, std::vector<Spec
 
 template <int D>
 void CellSimulator<D>::share(Communicator& ranks) {
+  SANDGLASS_EXPECT(!cloner_);  // copies would need ids that no other rank gives
   shared_ = std::make_unique<SharedStore<D>>(store_, columns_, ranks);
 }
 

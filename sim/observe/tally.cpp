@@ -15,6 +15,8 @@ void Tally::add(const Tally& other) {
   candidates += other.candidates;
   moves += other.moves;
   transfer.add(other.transfer);
+  cloning.resize(std::max(cloning.size(), other.cloning.size()));
+  for (std::size_t i = 0; i < other.cloning.size(); ++i) cloning[i].add(other.cloning[i]);
   impact.resize(std::max(impact.size(), other.impact.size()));
   if (!other.impact.empty()) add_to(impact, other.impact);
   if (!other.by_species.empty()) add_to(by_species, other.by_species);
@@ -22,8 +24,9 @@ void Tally::add(const Tally& other) {
 }
 
 void Tally::clear() {
-  const std::size_t bins = impact.size(), pairs = by_species.size();
+  const std::size_t bins = impact.size(), pairs = by_species.size(), clones = cloning.size();
   *this = {};
+  cloning.resize(clones);
   impact.resize(bins);
   by_species.resize(pairs);
 }

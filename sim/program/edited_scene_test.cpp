@@ -24,7 +24,11 @@ restitution = 0.9
 
 class EditedScene : public ::testing::Test {
  protected:
-  EditedScene() : path_(std::filesystem::temp_directory_path() / "sandglass_edited_scene.toml") {
+  /// Tests run beside each other: each has a file of its own.
+  EditedScene()
+      : path_(std::filesystem::temp_directory_path() /
+              (std::string("sandglass_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
+               ".toml")) {
     std::ofstream(path_) << kScene;
   }
   ~EditedScene() override { std::filesystem::remove(path_); }

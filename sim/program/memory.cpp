@@ -1,5 +1,6 @@
 #include "sim/program/memory.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@ namespace sandglass::program {
 
 namespace {
 double bytes_of_particles(const Plan& plan) {
-  return plan.bytes_per_particle * static_cast<double>(plan.particles);
+  return plan.bytes_per_particle * static_cast<double>(std::max(plan.particles, plan.most_particles));
 }
 
 double bytes_of_machine() {

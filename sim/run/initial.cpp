@@ -74,11 +74,11 @@ Particles<D> placed_by_weight(const Setup<D>& setup, const Streams& streams) {
   std::map<double, double> seen;  // of each weight
   std::vector<std::uint32_t> kept;
   std::vector<double> weights;
-  for (std::uint32_t i = 0; i < all.phases.size(); ++i) {
+  for (std::size_t i = 0; i < all.phases.size(); ++i) {
     const double weight = setup.weights->at(all.phases[i].position), share = lightest / weight;
     double& before = seen[weight];
     if (std::floor((before + 1) * share + 0.5) > std::floor(before * share + 0.5)) {
-      kept.push_back(i);
+      kept.push_back(static_cast<std::uint32_t>(i));
       weights.push_back(weight);
     }
     ++before;

@@ -177,6 +177,13 @@ TEST(Sharing, RefusalsNameWhatForbidsIt) {
   Scene fitted = replicas_of("dsmc");
   std::get<DsmcOptions>(fitted.method.options).impact = ImpactDistribution::fitted;
   expect(refusal(fitted, 6), "impact = \"fitted\"");
+  Scene poured = replicas_of("dsmc"), streaming = poured, weighed = poured;
+  poured.sources.emplace_back();
+  streaming.inflows.emplace_back();
+  weighed.regions.emplace_back();
+  expect(refusal(poured, 6), "a [[source]]");
+  expect(refusal(streaming, 6), "an [[inflow]]");
+  expect(refusal(weighed, 6), "a [[region]]");
   Scene scene = replicas_of("hsmc");
   scene.output.checkpoint = Cadence{Cadence::Unit::steps, 5};
   expect(refusal(scene, 2), "remove 'output.checkpoint'");

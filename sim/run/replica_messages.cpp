@@ -6,16 +6,19 @@ namespace sandglass {
 
 namespace {
 
-/// Only what differs from replica to replica: the first rank knows the names.
+/// Only what differs from replica to replica: the first rank knows the series. Counters may be others in each, as where
+/// nobody came in.
 void append(std::vector<double>& message, const Replica& replica) {
   for (const Series& series : replica.series) {
     append_list(message, {series.step.begin(), series.step.end()});
     append_list(message, series.time);
     append_list(message, series.value);
   }
-  std::vector<double> counters;
-  for (const auto& [name, count] : replica.counters) counters.push_back(count);
-  append_list(message, counters);
+  append_list(message, std::vector<double>(replica.counters.size()));
+  for (const auto& [name, count] : replica.counters) {
+    append_list(message, {name.begin(), name.end()});
+    append_list(message, {count});
+  }
 }
 
 Replica take(NumberLists& lists, Replica replica) {
@@ -25,9 +28,11 @@ Replica take(NumberLists& lists, Replica replica) {
     series.time = lists.take();
     series.value = lists.take();
   }
-  const std::vector<double> counters = lists.take();
-  auto count = counters.begin();
-  for (auto& [name, number] : replica.counters) number = *count++;
+  replica.counters.clear();
+  for (std::size_t left = lists.take().size(); left > 0; --left) {
+    const std::vector<double> name = lists.take();
+    replica.counters[std::string(name.begin(), name.end())] = lists.take().at(0);
+  }
   return replica;
 }
 

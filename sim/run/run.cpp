@@ -120,6 +120,7 @@ class Runner {
       record_.timings["bytes-per-particle"] =
           static_cast<double>(replica.bytes()) / static_cast<double>(setup_.particles);
     imbalance_ += replica.imbalance();
+    ++shared_;
     take_frames(record_, replica);
     moves_before_ += static_cast<double>(replica.moves());
     record_.replicas.push_back(replica.result());
@@ -154,7 +155,7 @@ class Runner {
     }
     own["ranks"] = static_cast<double>(all.size());
     if (sharing_ == Sharing::replicas) return;
-    own["imbalance"] = imbalance_ / static_cast<double>(record_.replicas.size());
+    own["imbalance"] = imbalance_ / static_cast<double>(shared_);
     if (setup_.particles > 0)
       own["bytes-per-particle"] = own["peak-bytes"] / static_cast<double>(setup_.particles);
   }
@@ -187,7 +188,8 @@ class Runner {
   std::optional<Schedule> checkpoints_;
   std::set<std::string> cumulative_;
   double moves_before_ = 0;
-  double imbalance_ = 0;  ///< of the replicas so far, added up
+  double imbalance_ = 0;      ///< of the replicas of this process so far, added up
+  std::uint64_t shared_ = 0;  ///< how many they are
 };
 
 Record run_from(const Scene& scene, const RunOptions& options, Record record) {

@@ -45,9 +45,9 @@ class ParticleAccess {
   virtual void remove(std::uint32_t particle) = 0;
 };
 
-/// What an agent has made of the particle that came: nothing, another flight, that and another species, or it has left for
-/// good.
-enum class Outcome { unchanged, changed, converted, gone };
+/// What an agent has made of the particle that came: nothing, another flight by a contact, another flight and species, a
+/// new particle in its place, or it has left for good.
+enum class Outcome { unchanged, changed, converted, replaced, gone };
 
 /// Anything that makes events beside the particles themselves: walls, obstacles, open sides, planes that count, timers;
 /// thermostats and dispensers to come. Times are those of the run.

@@ -58,7 +58,7 @@ void Engine<C>::carry_out(std::uint32_t particle) {
   if (next.time < next.contact) return cross(particle);
   if (next.partner >= kFirstAgent) return collide_with_agent(particle, next.partner - kFirstAgent);
   if (gas_.particles[next.partner].changes != next.partner_changes &&
-      !(conduct_.accepts_stale() && gas_.is_here(next.partner)))
+      !(conduct_.accepts_stale() && gas_.is_here(next.partner) && next.partner != particle))
     return predict(particle);
   collide(particle, next.partner);
 }
@@ -143,6 +143,8 @@ void Engine<C>::collide_with_agent(std::uint32_t particle, std::uint32_t agent) 
     if (stall_.contact(now, (present.velocity - before).norm())) refuse_collapse(particle, particle);
   } else if (outcome == Outcome::gone) {
     return let_go(particle, agent);
+  } else if (outcome == Outcome::replaced) {
+    rule_.set_last_contact(gas_, particle, -HUGE_VAL);  // it comes from beyond, where nobody knows
   } else if (outcome == Outcome::converted) {
     gas_.species[particle] = static_cast<std::uint8_t>(present.species);
   }
@@ -164,7 +166,8 @@ Outcome Engine<C>::act(std::uint32_t agent, std::uint32_t particle, ParticleStat
   if (acting.draws())
     random = Random(StreamKey(streams_.seed, Purpose::walls, streams_.replica, identity(particle)), changes);
   const Outcome outcome = acting.act(present, progress_.clock(), random);
-  if (outcome == Outcome::changed || acting.draws()) ++changes;  // no stream is used twice
+  if (outcome == Outcome::changed || outcome == Outcome::replaced || acting.draws())
+    ++changes;  // no stream is used twice
   return outcome;
 }
 

@@ -16,7 +16,8 @@ auto choose_mix(const Parameters<D>& parameters) {
 template <int D>
 auto choose(const Parameters<D>& parameters) {
   if constexpr (D == 2)
-    if (parameters.heavy) return make_engine<HeavyChoice<2>>;
+    if (parameters.heavy && !parameters.faults.any()) return make_engine<HeavyChoice<2>>;
+  if (parameters.heavy) throw InputError("this fault cannot be planted beside an [[outflow]] with a filter");
   if (parameters.faults.any()) return make_engine<FaultyChoice<D>>;
   return parameters.gravity.isZero(0) ? choose_mix<D, Straight<D>>(parameters)
                                       : choose_mix<D, Falling<D>>(parameters);

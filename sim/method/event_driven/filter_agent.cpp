@@ -31,7 +31,7 @@ Outcome FilterAgent<D>::act(ParticleState<D>& particle, double, Random& random) 
   }
   turned_ += turned;
   note_change(impulses_, place_.number(), particle, before);
-  return turned ? Outcome::changed : Outcome::converted;
+  return turned ? Outcome::replaced : Outcome::converted;
 }
 
 template <int D>

@@ -11,7 +11,7 @@ Outcome OutflowAgent<D>::act(ParticleState<D>& particle, double now, Random& ran
   if (!backflow_.turns(particle, random)) return side_.act(particle, now, random);
   ++turned_;
   note_change(impulses_, place_.number(), particle, before);
-  return Outcome::changed;
+  return Outcome::replaced;
 }
 
 template <int D>

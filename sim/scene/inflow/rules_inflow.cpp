@@ -120,6 +120,16 @@ class InflowRules {
                       fmt::format("the piston of a dispenser closes '{}', and another [[inflow]] comes in "
                                   "there; keep one of them",
                                   side_of(inflow_)));
+    if (!scene_.sources.empty())
+      return report("entry",
+                    "particles of a [[source]] could appear behind the piston of a dispenser: remove it, or "
+                    "use entry = \"flux\"");
+    for (const Inflow& other : scene_.inflows)
+      if (other.axis != inflow_.axis)
+        return report("side",
+                      fmt::format("particles that come in by '{}' could be caught behind the piston at '{}'; "
+                                  "keep one of the two, or use entry = \"flux\"",
+                                  side_of(other), side_of(inflow_)));
     const auto axis = static_cast<std::size_t>(inflow_.axis);
     const double along = inflow_.velocity.empty() ? 0 : (inflow_.high ? -1 : 1) * inflow_.velocity[axis];
     if (along < 0)

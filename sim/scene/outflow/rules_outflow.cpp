@@ -89,6 +89,14 @@ class OutflowRules {
         report("velocity",
                "heavy particles behind a filter move along the axis of the side: give 'velocity' no "
                "other component, or remove 'filter'");
+    if (!scene_.sources.empty())
+      report("filter", "particles of a [[source]] could appear behind the filter: remove it, or 'filter'");
+    for (const Inflow& inflow : scene_.inflows)
+      if (inflow.axis != outflow_.axis)
+        report("filter",
+               fmt::format("particles that come in by '{}' could appear behind the filter; remove that "
+                           "[[inflow]], or 'filter'",
+                           word_of(wall_side_words(), std::pair{inflow.axis, inflow.high})));
     for (std::size_t i = 0; i < index_; ++i)
       if (scene_.outflows[i].filter) report("filter", "one filter is allowed, and this is the second");
     check_obstacles(axis, depth);
