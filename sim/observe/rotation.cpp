@@ -58,7 +58,7 @@ template <int D>
 std::vector<double> RotationalTemperature<D>::measure(const View<D>& view) {
   constexpr double freedom = Spin<D>::RowsAtCompileTime;
   return with_population(view, [&view](const auto& all) {
-    return std::vector{twice_energy(view, all) / (freedom * all.count)};
+    return std::vector{all.count > 0 ? twice_energy(view, all) / (freedom * all.count) : 0};
   });
 }
 

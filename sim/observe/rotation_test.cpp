@@ -86,5 +86,10 @@ TEST(Rotation, SmoothParticlesAreRefused) {
   EXPECT_THROW(RotationalTemperature<2>().start(system.view()), InputError);
 }
 
+TEST(Rotation, NobodyHasNoTemperature) {
+  TestSystem<2> nobody;
+  EXPECT_EQ(RotationalTemperature<2>().measure(nobody.view()), std::vector<double>{0});
+}
+
 }  // namespace
 }  // namespace sandglass::rotation_test

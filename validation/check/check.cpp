@@ -97,10 +97,12 @@ law::Arguments complete(const CheckInfo& check, const law::Arguments& given) {
   return numbers;
 }
 
+/// Where nothing is said of the resolution, a check must at least tell what it expects from nothing.
 void add_case_budget(const CheckInfo& check, const Settings& settings, Evidence& evidence) {
   const double scale = check.relative ? std::abs(evidence.expected) : 1;
+  const double coarsest = check.relative ? scale : 0;
   evidence.budget.systematic += settings.systematic * scale;
-  evidence.budget.resolution = settings.resolution * scale;
+  evidence.budget.resolution = settings.resolution > 0 ? settings.resolution * scale : coarsest;
   if (!settings.reason.empty())
     evidence.budget.reason += (evidence.budget.reason.empty() ? "" : "; ") + settings.reason;
 }

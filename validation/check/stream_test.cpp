@@ -156,6 +156,20 @@ TEST(StreamChecks, SeeWhereAnOpenStreamIsNotHeld) {
   }
 }
 
+// What a source brings and an obstacle takes is in no series.
+TEST(StreamChecks, BalancesOfTheSidesAreForStreamsThatLiveByThem) {
+  Scene scene = read_scene_text(kOpen, "scene.toml");
+  scene.species.front().restitution = 1;
+  for (const char* check : {"side-momentum", "side-energy"}) {
+    EXPECT_TRUE(find_check(check).applies(scene));
+    Scene poured = scene, blocked = scene;
+    poured.sources.emplace_back();
+    blocked.obstacles.emplace_back();
+    EXPECT_FALSE(find_check(check).applies(poured));
+    EXPECT_FALSE(find_check(check).applies(blocked));
+  }
+}
+
 Record cooling(double restitution) {
   const law::CoolingStream start{{3, restitution, 0, 0.4}, 1, 2.2567, {0.5, 0.5}, 1};
   return record_with(scene_of("[16.0, 0.2, 0.2]", "", kGranular), {40, 1}, [&](double x, double) {
