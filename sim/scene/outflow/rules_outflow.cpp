@@ -99,7 +99,23 @@ class OutflowRules {
                            word_of(wall_side_words(), std::pair{inflow.axis, inflow.high})));
     for (std::size_t i = 0; i < index_; ++i)
       if (scene_.outflows[i].filter) report("filter", "one filter is allowed, and this is the second");
+    check_pistons();
     check_obstacles(axis, depth);
+  }
+
+  /// Who is heavy leaves no faster than the stream: a faster piston would press the particles into each other.
+  void check_pistons() {
+    const auto axis = static_cast<std::size_t>(outflow_.axis);
+    for (const Inflow& inflow : scene_.inflows) {
+      if (inflow.entry != InflowEntry::dispenser || inflow.axis != outflow_.axis || inflow.velocity.empty())
+        continue;
+      const double pushed = std::fabs(inflow.velocity[axis]), leaves = std::fabs(outward(axis));
+      if (leaves < pushed * (1 - 1e-9))
+        report("velocity",
+               fmt::format("a dispenser pushes the stream in at a speed of {}, and behind the filter it "
+                           "leaves at {}: make 'outflow.velocity' as fast",
+                           pushed, leaves));
+    }
   }
 
   void check_obstacles(std::size_t axis, double depth) {
