@@ -1,22 +1,12 @@
 #include "sim/program/edited_scene.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/scene/scene_file.hpp"
 #include "validation/suite/overlay.hpp"
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
 namespace sandglass::program {
 
 namespace {
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError("cannot read the scene '" + path + "': " + std::strerror(errno));
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// A value that is no TOML is a word: shells take quotes away.
 Override override_of(const std::string& setting) {
   const std::size_t equals = setting.find('=');
@@ -39,7 +29,7 @@ Scene read_edited_scene(const std::string& path, const std::vector<std::string>&
   for (const std::string& setting : settings) overrides.push_back(override_of(setting));
   std::vector<const Override*> layers;
   for (const Override& one : overrides) layers.push_back(&one);
-  return lay_over(parse_document(text_of(path), path), path, layers);
+  return lay_over(parse_document(scene_file_text(path), path), path, layers);
 }
 
 }  // namespace sandglass::program

@@ -1,5 +1,6 @@
 #include "sim/scene/read_sections.hpp"
 #include "sim/scene/rules.hpp"
+#include "sim/scene/scene_file.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -98,13 +99,14 @@ Scene read_scene_text(const std::string& text, const std::string& file_name) {
   return scene;
 }
 
-Scene read_scene_file(const std::string& path) {
+std::string scene_file_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError("cannot read the scene '" + path + "': " + std::strerror(errno));
   if (std::filesystem::is_directory(path))
     throw InputError("the scene '" + path + "' is a folder; name a file");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return read_scene_text(text, path);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
+
+Scene read_scene_file(const std::string& path) { return read_scene_text(scene_file_text(path), path); }
 
 }  // namespace sandglass
