@@ -1,6 +1,6 @@
 #include "sim/base/error.hpp"
 #include "sim/base/statistics.hpp"
-#include "sim/run/run.hpp"
+#include "sim/run/test_run_text.hpp"
 #include "sim/run/test_scene.hpp"
 
 #include <algorithm>
@@ -45,18 +45,6 @@ every = { time = 2.0 }
 what = "energy"
 every = { time = 2.0 }
 )";
-
-std::string edited(std::string text, const std::string& find, const std::string& replace) {
-  const std::size_t at = text.find(find);
-  EXPECT_NE(at, std::string::npos) << find;
-  return text.replace(at, find.size(), replace);
-}
-
-Record run_text(const std::string& text, const std::string& fault = "") {
-  RunOptions options;
-  options.planted_fault = fault;
-  return run_scene(read_scene_text(text, "scene.toml"), options);
-}
 
 const Series& series(const Record& record, std::size_t replica, const std::string& name) {
   return *std::ranges::find(record.replicas[replica].series, name,
