@@ -27,7 +27,7 @@ class EventCalendar {
   void start(double width, std::size_t buckets);
 
   /// `time` is not negative, may be infinite.
-  void push(double time, std::uint32_t owner) {
+  [[gnu::noinline]] void push(double time, std::uint32_t owner) {
     const double place = time * per_width_;
     if (!(place < end_)) return;
     const auto bucket = static_cast<std::uint32_t>(place);

@@ -36,6 +36,7 @@ class CellKernel : public CollisionStage<D> {
     std::uint32_t count;
     double square_bound;
     bool displaces;
+    std::uint64_t candidates = 0, collisions = 0;
     double transfer = 0;
   };
   struct Candidate {
@@ -52,9 +53,8 @@ class CellKernel : public CollisionStage<D> {
   }
 
   /// Draws a candidate, and collides and displaces it where the rule accepts it.
-  [[gnu::always_inline]] bool collides(const CollisionStep<D>& step, Cell& cell, Random& random,
-                                       Candidate& candidate) const {
-    ++step.tally->candidates;
+  [[gnu::always_inline]] bool collides(Cell& cell, Random& random, Candidate& candidate) const {
+    ++cell.candidates;
     const Pair pair = draw_pair(cell.count, random);
     const Vector<D> relative =
         cell.columns.phases[pair.first].velocity - cell.columns.phases[pair.second].velocity;
@@ -62,8 +62,9 @@ class CellKernel : public CollisionStage<D> {
     candidate = {pair, square_speed};
     if (!rule_.accepts(cell.columns, pair, square_speed, cell.square_bound, random.uniform())) return false;
     const Vector<D> change = rule_.collide(cell.columns, pair, relative, square_speed, random);
-    if (cell.displaces) cell.transfer += displace(cell.columns, pair, change, random);
-    ++step.tally->collisions;
+    if constexpr (Displaces)
+      if (cell.displaces) displace(cell, pair, change, random);
+    ++cell.collisions;
     return true;
   }
 
@@ -78,19 +79,24 @@ class CellKernel : public CollisionStage<D> {
     return square_diagonal > before ? square_diagonal / before : 1;
   }
 
-  void count_transfer(const CollisionStep<D>& step, const Cell& cell) const {
-    if (measure_transfer_) step.tally->transfer.add(cell.transfer);
+  /// What the cell counted in registers.
+  [[gnu::always_inline]] void count(const CollisionStep<D>& step, const Cell& cell) const {
+    step.tally->candidates += cell.candidates;
+    step.tally->collisions += cell.collisions;
+    if constexpr (Displaces)
+      if (measure_transfer_) step.tally->transfer.add(cell.transfer);
   }
 
   Rule rule_;
 
  private:
-  /// Moves the partners apart along the momentum change and returns the momentum times distance that this carries.
-  [[gnu::always_inline]] double displace(const typename Rule::Columns& columns, const Pair& pair,
-                                         const Vector<D>& change, Random& random) const {
+  /// Moves the partners apart along the momentum change; sums the momentum times distance that this carries.
+  [[gnu::always_inline]] void displace(Cell& cell, const Pair& pair, const Vector<D>& change,
+                                       Random& random) const {
     const Vector<D> shift = displacement<D>(offset_, change.normalized(), random);
-    rule_.displace(columns, pair, shift);
-    return measure_transfer_ ? rule_.transfer(columns, pair, shift) : 0;
+    rule_.displace(cell.columns, pair, shift);
+    if (measure_transfer_) [[unlikely]]
+      cell.transfer += rule_.transfer(cell.columns, pair, shift);
   }
 
   Offset offset_;

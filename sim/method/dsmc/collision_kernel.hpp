@@ -67,7 +67,7 @@ class CollisionKernel final : public CellKernel<D, Rule, Displaces> {
     Random random = task.random;  // in registers
     for (std::uint64_t left = task.candidates; left > 0; --left) {
       Candidate candidate;
-      if (!this->collides(step, cell, random, candidate)) continue;
+      if (!this->collides(cell, random, candidate)) continue;
       if (left == 1) break;
       if (const double ratio = this->widen(cell, candidate.pair, task.box, task.square_diagonal); ratio > 1) {
         // The rest of the step goes on with the higher bound and proportionally more candidates.
@@ -78,7 +78,7 @@ class CollisionKernel final : public CellKernel<D, Rule, Displaces> {
         ++*step.bound_raised;
       }
     }
-    this->count_transfer(step, cell);
+    this->count(step, cell);
   }
 };
 

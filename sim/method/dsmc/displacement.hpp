@@ -11,7 +11,8 @@ namespace sandglass::dsmc {
 template <int D>
 [[gnu::always_inline]] inline Vector<D> displacement(const Offset& offset, const Vector<D>& normal,
                                                      Random& random) {
-  if (offset.random == 0) return offset.consistent * normal;
+  if (offset.random == 0) [[likely]]
+    return offset.consistent * normal;
   return offset.consistent * normal + offset.random * uniform_direction<D>(random);
 }
 

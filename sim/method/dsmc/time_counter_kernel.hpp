@@ -39,7 +39,7 @@ class TimeCounterKernel final : public CellKernel<D, Rule, true> {
       if (!(expected > 0)) return 0;
       require_few(expected, count);
       clock = advance(step, cell, box, unit, clock, random);
-      this->count_transfer(step, cell);
+      this->count(step, cell);
     }
     return clock;
   }
@@ -52,7 +52,7 @@ class TimeCounterKernel final : public CellKernel<D, Rule, true> {
     double square_diagonal = box.square_diagonal();
     for (std::uint64_t refused = 0; clock < 0 && refused < patience; ++refused) {
       Candidate candidate;
-      if (!this->collides(step, cell, random, candidate)) continue;
+      if (!this->collides(cell, random, candidate)) continue;
       refused = 0;
       clock += 1 / (unit * rule_.rate(cell.columns, candidate.pair, std::sqrt(candidate.square_speed)));
       if (const double ratio = this->widen(cell, candidate.pair, box, square_diagonal); ratio > 1) {

@@ -110,7 +110,7 @@ class Cells {
   /// Places of the three neighbours along each axis, to be added up.
   using Offsets = std::array<std::array<std::uint32_t, 3>, D>;
 
-  std::array<std::uint32_t, 3> around(std::uint32_t cell, int axis) const {
+  [[gnu::always_inline]] std::array<std::uint32_t, 3> around(std::uint32_t cell, int axis) const {
     const std::uint32_t here = coordinate(cell, axis), stride = stride_[index(axis)];
     const std::uint32_t low = here > 0 ? here - 1 : before_first_[index(axis)];
     const std::uint32_t high = here + 1 < count_[index(axis)] ? here + 1 : after_last_[index(axis)];

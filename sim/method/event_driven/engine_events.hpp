@@ -83,7 +83,7 @@ void Engine<C>::cross(std::uint32_t particle) {
     cells_.heads_ahead(cell, axis, up, near_);
     search_.earliest(gas_, particle, near_, progress_.now, best);
   }
-  search_agents(particle, best);
+  if (!agents_by_cell_.empty()) search_agents(particle, best);
   set_next(particle, best);
   if (best.partner == known.partner && best.time == known.contact)
     next.partner_changes = known.partner_changes;
@@ -183,14 +183,13 @@ Contact Engine<C>::first_contact(std::uint32_t particle) {
   Contact best;
   cells_.heads_around(gas_.next[particle].cell, near_);
   search_.earliest(gas_, particle, near_, progress_.now, best);
-  search_agents(particle, best);
+  if (!agents_by_cell_.empty()) search_agents(particle, best);
   return best;
 }
 
 /// From the last change on, not from now: every look gives the same answer.
 template <class C>
 void Engine<C>::search_agents(std::uint32_t particle, Contact& best) const {
-  if (agents_by_cell_.empty()) return;
   const auto near = agents_by_cell_[cells_.linear(gas_.next[particle].cell)];
   if (near.empty()) return;
   const double since = gas_.particles[particle].time;
