@@ -43,6 +43,28 @@ Law enskog_law(std::string name, std::string summary, std::string units, std::st
       .parameters = with_fraction({temperature(), mass(), diameter()}),
       .evaluate = std::move(evaluate)};
 }
+
+Law monte_carlo_law() {
+  const Parameter contact{
+      "contact-factor", "1", "collision rate over that of the dilute gas", 1e-9, 1e9, 1.0};
+  const Parameter along{"offset", "diameters", "displacement of partners along their momentum change",
+                        0,        1e3,         1.0};
+  const Parameter random{"random-offset", "diameters", "displacement in a random direction", 0, 1e3, 0.0};
+  const Parameter edge{"cell-edge", "diameters", "of a cell, across the flow", 0, 1e9, 0.0};
+  const Parameter step{"collisions-per-step", "1", "collisions of a particle in a time step", 0, 1e3, 0.0};
+  Law law = enskog_law(
+      "monte-carlo-kinematic-viscosity",
+      "shear viscosity over mass density where partners collide in one place and are displaced",
+      "length^2/time", "elastic gas near equilibrium, all Sonine orders of the part that flight carries",
+      [](const Arguments& given) {
+        const CellScheme scheme{given.at("contact-factor"), given.at("offset"), given.at("random-offset"),
+                                given.at("cell-edge"), given.at("collisions-per-step")};
+        return monte_carlo_kinematic_viscosity(gas_from(given), scheme, SonineOrder::converged);
+      });
+  law.source = "docs/theory.md; cells: Alexander, Garcia & Alder 1998; steps: Hadjiconstantinou 2000";
+  law.parameters.insert(law.parameters.end(), {contact, along, random, edge, step});
+  return law;
+}
 }  // namespace
 
 std::vector<Law> transport_laws() {
@@ -68,7 +90,8 @@ std::vector<Law> transport_laws() {
           enskog_law("kinematic-viscosity", kinematic, "length^2/time", kFirst,
                      to_order(enskog_kinematic_viscosity, first)),
           enskog_law("kinematic-viscosity-converged", kinematic, "length^2/time", kConverged,
-                     to_order(enskog_kinematic_viscosity, converged))};
+                     to_order(enskog_kinematic_viscosity, converged)),
+          monte_carlo_law()};
 }
 
 }  // namespace sandglass::law

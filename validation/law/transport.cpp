@@ -1,6 +1,7 @@
 #include "validation/law/transport.hpp"
 
 #include "validation/law/contact.hpp"
+#include "validation/law/enskog.hpp"
 
 namespace sandglass::law {
 
@@ -40,6 +41,24 @@ double enskog_shear_viscosity(const Gas& gas, SonineOrder order) {
 
 double enskog_kinematic_viscosity(const Gas& gas, SonineOrder order) {
   return enskog_shear_viscosity(gas, order) / (gas.mass * number_density(gas));
+}
+
+double monte_carlo_shear_viscosity(const Gas& gas, const CellScheme& scheme, SonineOrder order) {
+  const double density = number_density(gas), dimension = gas.dimension;
+  const double carried = scheme.along * excluded_fraction(gas) * scheme.contact;  // p_c/nT
+  const double returned = gas.dimension == 2 ? 0 : -carried / 5;
+  const double steps =
+      scheme.collisions_per_step * (gas.dimension == 2 ? 1 : 0.8);  // of stress, relaxation times
+  const double kinetic = boltzmann_shear_viscosity(gas, order) / scheme.contact * (1 + steps * steps / 12);
+  const double rate = collision_rate(gas) / contact_value(gas.dimension, gas.fraction) * scheme.contact;
+  const double squares =
+      scheme.along * scheme.along + scheme.random * scheme.random + scheme.cell_edge * scheme.cell_edge / 3;
+  return kinetic * (1 + carried) * (1 + returned) +
+         gas.mass * density * rate / 2 * gas.diameter * gas.diameter / dimension * squares;
+}
+
+double monte_carlo_kinematic_viscosity(const Gas& gas, const CellScheme& scheme, SonineOrder order) {
+  return monte_carlo_shear_viscosity(gas, scheme, order) / (gas.mass * number_density(gas));
 }
 
 }  // namespace sandglass::law

@@ -28,4 +28,21 @@ double enskog_bulk_viscosity(const Gas& gas);
 /// Enskog shear viscosity over mass density [length^2/time]; a shear wave of wave number k decays at k^2 nu.
 double enskog_kinematic_viscosity(const Gas& gas, SonineOrder order);
 
+/// How a Monte Carlo scheme departs from Boltzmann's equation. Lengths in diameters.
+struct CellScheme {
+  double contact = 1;              ///< collision rate over that of the dilute gas
+  double along = 0;                ///< displacement of the partners along their momentum change (cba: 1)
+  double random = 0;               ///< and in a random direction (cuba)
+  double cell_edge = 0;            ///< of the cells in which pairs are drawn, across the flow
+  double collisions_per_step = 0;  ///< of a particle
+};
+
+/// Shear viscosity of an elastic gas whose partners collide as if in one place and are displaced then
+/// (docs/theory.md#viscosity-of-monte-carlo-schemes); terms of cell and step as in Alexander, Garcia & Alder 1998 and
+/// Hadjiconstantinou 2000 [mass length^(2-D) time^-1].
+double monte_carlo_shear_viscosity(const Gas& gas, const CellScheme& scheme, SonineOrder order);
+
+/// The same over mass density [length^2/time].
+double monte_carlo_kinematic_viscosity(const Gas& gas, const CellScheme& scheme, SonineOrder order);
+
 }  // namespace sandglass::law

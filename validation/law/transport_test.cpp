@@ -2,6 +2,7 @@
 
 #include "validation/law/contact.hpp"
 #include "validation/law/contact_average.hpp"
+#include "validation/law/enskog.hpp"
 
 #include <array>
 #include <functional>
@@ -132,6 +133,82 @@ TEST(KinematicViscosity, HasUnitsOfLengthTimesSpeed) {
   gas.diameter *= 2;
   gas.mass *= 4;
   EXPECT_NEAR(enskog_kinematic_viscosity(gas, SonineOrder::first), viscosity, 1e-13);
+}
+
+/// What a partner is displaced by times what the pair then carries. A contact along x kicks the first along -x.
+Eigen::Matrix3d carried(const Contact& contact) {
+  return Vector<3>(-1, 0, 0) * (contact.first_after - contact.second_after).transpose();
+}
+
+/// From the moments of one collision, by quadrature: docs/theory.md#viscosity-of-monte-carlo-schemes. Averages that are odd
+/// in the approach take one power of it as their weight.
+double viscosity_of_displaced_partners(const Gas& gas) {
+  const int dimension = gas.dimension;
+  const double pressure = contact_average(
+      dimension, 1, [](const Contact& c) { return carried(c).trace() / c.approach; }, 2);
+  const double stress = contact_average(
+      dimension, 1,
+      [=](const Contact& c) {
+        const Eigen::Matrix3d bend = shear(dimension, c.first) + shear(dimension, c.second);
+        return carried(c).cwiseProduct(bend).sum() / c.approach;
+      },
+      2);
+  const double contacts = contact_average(dimension, 1, [](const Contact&) { return 1.0; });
+  const double density = number_density(gas), traceless = (dimension + 2) * (dimension - 1) / 2.0;
+  const double sphere = (dimension == 2 ? 2 : 4) * pi * std::pow(gas.diameter, dimension);
+  const double speed = std::sqrt(2 * gas.temperature / gas.mass);
+  return density * gas.temperature / stress_relaxation(gas) * (1 + density * sphere * pressure / dimension) *
+             (1 + density * sphere * stress / traceless) +
+         density * density / 2 * sphere * speed * contacts * gas.mass * gas.diameter / dimension;
+}
+
+TEST(MonteCarloViscosity, FollowsFromTheMomentsOfACollision) {
+  for (int dimension : {2, 3})
+    for (double fraction : {0.01, 0.3}) {
+      const Gas gas = gas_of(dimension, fraction);
+      const double expected = viscosity_of_displaced_partners(gas);
+      EXPECT_NEAR(monte_carlo_shear_viscosity(gas, {.along = 1}, SonineOrder::first) / expected, 1, 1e-12);
+    }
+}
+
+TEST(MonteCarloViscosity, IsBoltzmannsWithoutDisplacementAndEnskogsToFirstOrderInDensity) {
+  for (int dimension : {2, 3}) {
+    const Gas gas = gas_of(dimension, 1e-4);
+    const double dilute = boltzmann_shear_viscosity(gas, SonineOrder::first);
+    EXPECT_NEAR(monte_carlo_shear_viscosity(gas, {}, SonineOrder::first) / dilute, 1, 1e-14);
+    const double contact = contact_value(dimension, gas.fraction);
+    const double displaced =
+        monte_carlo_shear_viscosity(gas, {.contact = contact, .along = 1}, SonineOrder::first);
+    const double enskog = enskog_shear_viscosity(gas, SonineOrder::first);
+    EXPECT_NEAR(displaced / enskog, 1, 1e-6);
+    EXPECT_GT(std::abs(enskog / dilute - 1), 1e-5);
+  }
+}
+
+// Alexander, Garcia & Alder (1998) for the edge of a cell, Hadjiconstantinou (2000) for the step, in mean free paths and
+// times; the coefficients for disks are those of docs/theory.md.
+TEST(MonteCarloViscosity, GrowsWithCellAndStepAsPublished) {
+  const double published[2][2] = {{pi / 24, 1.0 / 12}, {16 / (45 * pi), 4.0 / 75}};
+  for (int dimension : {2, 3}) {
+    const Gas gas = gas_of(dimension, 1e-9);
+    const double path = mean_free_path(gas) / gas.diameter;
+    const double dilute = boltzmann_shear_viscosity(gas, SonineOrder::first);
+    const auto rise = [&](const CellScheme& scheme) {
+      return monte_carlo_shear_viscosity(gas, scheme, SonineOrder::first) / dilute - 1;
+    };
+    EXPECT_NEAR(rise({.cell_edge = path}), published[dimension - 2][0], 1e-7);
+    EXPECT_NEAR(rise({.collisions_per_step = 1}), published[dimension - 2][1], 1e-7);
+  }
+}
+
+TEST(MonteCarloViscosity, OfDisplacementsAddUpByTheirSquares) {
+  const Gas gas = gas_of(3, 0.2);
+  const auto viscosity = [&](const CellScheme& scheme) {
+    return monte_carlo_shear_viscosity(gas, scheme, SonineOrder::first);
+  };
+  const double none = viscosity({});
+  EXPECT_NEAR(viscosity({.random = 0.6}) - none, 0.36 * (viscosity({.random = 1}) - none), 1e-12);
+  EXPECT_NEAR(viscosity({.cell_edge = std::sqrt(3)}), viscosity({.random = 1}), 1e-12);
 }
 
 }  // namespace

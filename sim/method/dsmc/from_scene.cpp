@@ -27,29 +27,20 @@ double mean_diameter(const Scene& scene) {
   return std::pow(sum / count, 1.0 / dimension);
 }
 
-/// Along the momentum change. The offset carries m d r |c_n| a collision after the kick, hard cores carry
-/// m d (1 + r)/2 |c_n|.
-double consistent_offset(const Scene& scene, double diameter, double restitution) {
-  if (options_of(scene).offset != sandglass::Offset::corrected) return diameter;
-  return diameter * (1 + restitution) / (2 * restitution);
-}
-
 Offset offset_of(const Scene& scene) {
-  if (options_of(scene).offset == sandglass::Offset::none) return {};
   const double d = mean_diameter(scene);
-  return {consistent_offset(scene, d, scene.species.front().restitution),
-          d * options_of(scene).random_offset};
+  return {offset_along(scene, d, scene.species.front().restitution), d * random_offset(scene)};
 }
 
 /// Kinds::offsets: partners of different width are displaced by their mean diameter.
 std::vector<double> offsets_of_pairs(const Scene& scene, const std::vector<Surface>& surfaces) {
+  const double unit = offset_along(scene, mean_diameter(scene), scene.species.front().restitution);
+  if (unit == 0) return {};
   std::vector<double> all;
-  const double unit = consistent_offset(scene, mean_diameter(scene), scene.species.front().restitution);
   for (const Species& one : scene.species)
     for (const Species& two : scene.species)
       all.push_back(
-          consistent_offset(scene, (one.diameter + two.diameter) / 2, surfaces[all.size()].normal.value) /
-          unit);
+          offset_along(scene, (one.diameter + two.diameter) / 2, surfaces[all.size()].normal.value) / unit);
   return all;
 }
 

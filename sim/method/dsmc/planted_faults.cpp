@@ -66,6 +66,8 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
       {{"offset-dropped", "no displacement after collisions"}, [](P p, int) { p.offset = {}; }},
       {{"offset-doubled", "displacement after collisions twice as long"},
        [](P p, int) { p.offset.consistent *= 2; }},
+      {{"random-offset-halved", "random displacement after collisions half as long"},
+       [](P p, int) { p.offset.random /= 2; }},
       {{"contact-factor-dropped", "contact factor left out"}, [](P p, int) { p.factor.formula = nullptr; }},
       {{"contact-factor-of-other-dimension", "contact factor of spheres for disks and of disks for spheres"},
        [](P p, int dimension) {

@@ -49,5 +49,12 @@ bool has_diagonal_cells(const Scene& scene);
 bool loses_pairs(const Scene& scene);
 /// The collision rate goes with the contact value of the local density.
 bool has_contact_factor(const Scene& scene);
+/// Partners of a collision stand a diameter apart.
+bool has_partners_at_contact(const Scene& scene);
+/// By how much partners are displaced along their momentum change, a length; 0 where they are not. The
+/// offset carries m d r |c_n| a collision after the kick, hard cores carry m d (1 + r)/2 |c_n|.
+double offset_along(const Scene& scene, double diameter, double restitution);
+/// And in a random direction, in diameters.
+double random_offset(const Scene& scene);
 
 }  // namespace sandglass

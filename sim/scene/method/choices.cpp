@@ -41,6 +41,34 @@ bool has_contact_factor(const Scene& scene) {
   return choice(scene.method, false, get);
 }
 
+bool has_partners_at_contact(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.partners == Partners::contact) {
+    return options.partners == Partners::contact;
+  };
+  return choice(scene.method, false, get);
+}
+
+double offset_along(const Scene& scene, double diameter, double restitution) {
+  const auto get = [](const auto& options) -> decltype(Offset(options.offset)) { return options.offset; };
+  switch (choice(scene.method, Offset::none, get)) {
+    case Offset::none:
+      return 0;
+    case Offset::corrected:
+      return diameter * (1 + restitution) / (2 * restitution);
+    case Offset::consistent:
+    case Offset::random:
+      break;
+  }
+  return diameter;
+}
+
+double random_offset(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(double(options.random_offset)) {
+    return options.random_offset;
+  };
+  return choice(scene.method, 0.0, get);
+}
+
 std::vector<double> cells_along(const Scene& scene) {
   const auto given = [](const auto& options) -> decltype(options.cells) { return options.cells; };
   const auto size = [](const auto& options) -> decltype(options.cell_size) { return options.cell_size; };
@@ -81,11 +109,8 @@ std::string kept_whole(const Scene& scene) {
 }
 
 double least_cell_edge(const Scene& scene) {
-  const auto get = [](const auto& options) -> decltype(options.partners == Partners::contact) {
-    return options.partners == Partners::contact;
-  };
   double widest = 0;
-  if (choice(scene.method, false, get))
+  if (has_partners_at_contact(scene))
     for (const Species& species : scene.species) widest = std::max(widest, species.diameter);
   return widest;
 }
