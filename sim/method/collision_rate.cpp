@@ -18,6 +18,7 @@ double thermal_speed(const Scene& scene) {
 double rate_of_points(const Scene& scene, double temperature) {
   const int dimension = scene.domain.dimension;
   const double count = static_cast<double>(particle_count(scene));
+  if (count == 0) return 0;
   double rate = 0;
   for (const Species& a : scene.species)
     for (const Species& b : scene.species) {

@@ -39,26 +39,37 @@ class PlainFlight {
   /// where it ends; planes and walls count if `Counts`.
   template <bool Counts>
   [[gnu::always_inline]] typename Lane::Real fly(Phase<D>& particle, std::size_t) const {
-    if constexpr (Counts)
-      if (parameters_.planes != nullptr) count_crossings(particle);
-    double* components = particle.position.data();
-    const typename Lane::Real start = Lane::load(components), velocity = Lane::load(components + D);
-    const typename Lane::Real position = flight_.template end<Gravity>(start, velocity);
-    if (!stays(start, velocity, position)) [[unlikely]]
-      return fly_bounded(parameters_, box_, dt_, Counts ? parameters_.impulses : nullptr, particle);
-    Lane::store(components, position);
-    if constexpr (Gravity) Lane::store(components + D, velocity + flight_.gain());
-    return position;
+    typename Lane::Real end;
+    if (is_free(particle, end)) [[likely]]
+      return fly_free<Counts>(particle, end);
+    if constexpr (Counts) count_crossings(particle);
+    return fly_bounded(parameters_, box_, dt_, Counts ? parameters_.impulses : nullptr, particle);
   }
 
-  /// Where fly() would end. A path that meets boundaries is flown in `arrived`, and `bounded` set.
-  [[gnu::always_inline]] typename Lane::Real look(const Phase<D>& particle, std::size_t, Phase<D>& arrived,
-                                                  bool& bounded) const {
+  /// Whether the path meets no boundary; then `end` is where it ends.
+  [[gnu::always_inline]] bool is_free(const Phase<D>& particle, typename Lane::Real& end) const {
     const double* components = particle.position.data();
     const typename Lane::Real start = Lane::load(components), velocity = Lane::load(components + D);
-    const typename Lane::Real position = flight_.template end<Gravity>(start, velocity);
-    if (stays(start, velocity, position)) [[likely]]
-      return position;
+    end = flight_.template end<Gravity>(start, velocity);
+    return stays(start, velocity, end);
+  }
+  /// fly() to the end that is_free() gave.
+  template <bool Counts>
+  [[gnu::always_inline]] typename Lane::Real fly_free(Phase<D>& particle,
+                                                      const typename Lane::Real& end) const {
+    if constexpr (Counts) count_crossings(particle);
+    double* components = particle.position.data();
+    Lane::store(components, end);
+    if constexpr (Gravity) Lane::store(components + D, Lane::load(components + D) + flight_.gain());
+    return end;
+  }
+  /// Where a particle counts that ends its flight here.
+  static const typename Lane::Real& in_box(const typename Lane::Real& end) { return end; }
+
+  /// Where fly() would end. A path that meets boundaries is flown in `arrived`, and `bounded` set.
+  typename Lane::Real look(const Phase<D>& particle, std::size_t, Phase<D>& arrived, bool& bounded) const {
+    typename Lane::Real end;
+    if (is_free(particle, end)) return end;
     arrived = particle;
     bounded = true;
     return fly_bounded(parameters_, box_, dt_, nullptr, arrived);
@@ -117,6 +128,7 @@ class PlainFlight {
 
   /// Planes are normal to periodic axes: the passages are those of the unwrapped path.
   [[gnu::always_inline]] void count_crossings(const Phase<D>& particle) const {
+    if (parameters_.planes == nullptr) return;
     for (Plane& plane : *parameters_.planes) {
       const double length = box_[plane.axis()], velocity = particle.velocity[plane.axis()];
       if constexpr (Gravity) {

@@ -47,26 +47,38 @@ class SurfaceFlight {
   /// at its edge.
   template <bool Counts>
   [[gnu::always_inline]] Real fly(Phase<D>& particle, std::size_t i) const {
-    double* components = particle.position.data();
+    Real end;
+    if (is_free(particle, end)) [[likely]]
+      return fly_free<Counts>(particle, end);
+    return fly_bounded<Counts>(particle, i);
+  }
+
+  /// Whether the path meets nothing; then `end` is where it ends.
+  [[gnu::always_inline]] bool is_free(const Phase<D>& particle, Real& end) const {
+    const double* components = particle.position.data();
     const Real start = Lane::load(components), velocity = Lane::load(components + D);
-    const Real end = free_.template end<true>(start, velocity);
-    if (!stays(start, velocity, end)) [[unlikely]]
-      return fly_bounded<Counts>(particle, i);
-    if constexpr (Counts)
-      if (surfaces_.parameters.planes != nullptr) count_crossings(start, end, velocity);
+    end = free_.template end<true>(start, velocity);
+    return stays(start, velocity, end);
+  }
+  /// fly() to the end that is_free() gave.
+  template <bool Counts>
+  [[gnu::always_inline]] Real fly_free(Phase<D>& particle, const Real& end) const {
+    if constexpr (Counts) count_crossings(particle, end);
+    double* components = particle.position.data();
     Lane::store(components, end);
-    Lane::store(components + D, velocity + free_.gain());
+    Lane::store(components + D, Lane::load(components + D) + free_.gain());
     return in_box(end);
+  }
+  /// Where a particle counts that ends its flight here.
+  Real in_box(const Real& end) const {
+    const Real above = end > 0 ? end : Real{};
+    return above < box_ ? above : box_;
   }
 
   /// Where fly() would end. A path that meets boundaries is flown in `arrived`, and `bounded` set.
-  [[gnu::always_inline]] Real look(const Phase<D>& particle, std::size_t i, Phase<D>& arrived,
-                                   bool& bounded) const {
-    const double* components = particle.position.data();
-    const Real start = Lane::load(components), velocity = Lane::load(components + D);
-    const Real end = free_.template end<true>(start, velocity);
-    if (stays(start, velocity, end)) [[likely]]
-      return in_box(end);
+  Real look(const Phase<D>& particle, std::size_t i, Phase<D>& arrived, bool& bounded) const {
+    Real end;
+    if (is_free(particle, end)) return in_box(end);
     arrived = particle;
     bounded = true;
     return fly_bounded<false>(arrived, i);
@@ -81,11 +93,6 @@ class SurfaceFlight {
   bool inside(const Real& position) const {
     return all<D>((position >= low_) & (position < high_));  // false for what is not a number
   }
-  Real in_box(const Real& position) const {
-    const Real above = position > 0 ? position : Real{};
-    return above < box_ ? above : box_;
-  }
-
   /// Whether no obstacle is near; a long path is not looked along.
   bool clear(const Real& start, const Real& end, const Real& tangent) const {
     if (surfaces_.obstacles.empty()) return true;
@@ -100,7 +107,9 @@ class SurfaceFlight {
   }
 
   /// The path stays in the box: without gravity it passes a plane once or not at all.
-  void count_crossings(const Real& start, const Real& end, const Real& velocity) const {
+  void count_crossings(const Phase<D>& particle, const Real& end) const {
+    if (surfaces_.parameters.planes == nullptr) return;
+    const Vector<D>&start = particle.position, &velocity = particle.velocity;
     for (Plane& plane : *surfaces_.parameters.planes) {
       const int axis = plane.axis();
       if (const double pull = surfaces_.parameters.gravity[axis]; pull != 0)

@@ -341,5 +341,12 @@ TEST(Sources, ArePlanned) {
   EXPECT_TRUE(std::isfinite(planned.bytes_per_particle));
 }
 
+/// Of nobody there is no rate.
+TEST(Sources, ArePlannedFromAnEmptyBoxOfHardParticles) {
+  const Plan planned = plan(read_scene_text(kCrowd, "crowd.toml"));
+  EXPECT_EQ(planned.collisions_per_particle_and_step, 0);
+  EXPECT_EQ(planned.cell_size_in_mean_free_paths, 0);
+}
+
 }  // namespace
 }  // namespace sandglass::sources_test

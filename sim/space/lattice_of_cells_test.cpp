@@ -136,10 +136,12 @@ TEST(LatticeOfCells, DiagonalNeighboursLieBehindTheSides) {
         for (const double up : {-1.0, 1.0})
           if (const auto there = wrapped(lattice, middles[cell] + Vector<2>(right * half[0], up * half[1])))
             expected.insert(lattice.cell_of(*there));
-      neighbours.for_each_neighbour(cell, [&](std::uint32_t other, const Vector<2>& direction) {
+      neighbours.for_each_neighbour(cell, [&](std::uint32_t other, int axis, bool up) {
         found.insert(other);
         for (const std::uint64_t turn : {0, 1})
           EXPECT_NE(neighbours.colour(cell, turn), neighbours.colour(other, turn));
+        const Vector<2> direction(neighbours.towards(Vector<2>::UnitX(), axis, up),
+                                  neighbours.towards(Vector<2>::UnitY(), axis, up));
         const auto there = wrapped(lattice, middles[cell] + half.norm() * direction);
         ASSERT_TRUE(there.has_value());
         EXPECT_EQ(lattice.cell_of(*there), other);

@@ -33,19 +33,28 @@ class Neighbours {
     return beside(cell, axis, place)[up];
   }
 
-  /// Calls visit(neighbour, unit vector towards it) for every cell that shares a side with this one; a cell that is its
-  /// own neighbour is none.
+  /// Calls visit(neighbour, axis, up) for every cell that shares a side with this one; a cell that is its own neighbour is
+  /// none.
   template <class Visit>
   void for_each_neighbour(std::uint32_t cell, Visit visit) const {
     std::uint32_t rest = cell;
-    for (int axis = 0; axis < D; ++axis) {
+    const auto visit_along = [&](int axis) {
       const std::uint32_t cells = cells_[static_cast<std::size_t>(axis)];
       const auto [down, up] = beside(cell, axis, rest % cells);
       rest /= cells;
-      const Vector<D> upwards = direction(axis);
-      if (down != cell) visit(down, Vector<D>(-upwards));
-      if (up != cell) visit(up, upwards);
-    }
+      if (down != cell) visit(down, axis, false);
+      if (up != cell) visit(up, axis, true);
+    };
+    visit_along(0);
+    visit_along(1);
+    if constexpr (D == 3) visit_along(2);
+  }
+  /// Component of a vector in the direction from a cell to its neighbour.
+  double towards(const Vector<D>& vector, int axis, bool up) const {
+    double component = vector[axis];
+    if constexpr (D == 2)
+      if (diagonal_) component = vector.dot(diagonal_->direction(axis));
+    return up ? component : -component;
   }
 
   /// Calls visit(other) for this cell and every one that shares a side, an edge or a corner with it; more than once for the
@@ -136,13 +145,6 @@ class Neighbours {
     const std::uint32_t place = coordinate(cell, a);
     return colours(axis) == 3 && place + 1 == cells_[a] ? 2 : static_cast<int>(place % 2);
   }
-  /// Unit vector up an axis.
-  Vector<D> direction(int axis) const {
-    if constexpr (D == 2)
-      if (diagonal_) return diagonal_->direction(axis);
-    return Vector<D>::Unit(axis);
-  }
-
   std::optional<DiagonalCells> diagonal_;
   std::array<bool, D> periodic_;
   std::array<std::uint32_t, D> cells_, stride_;

@@ -75,7 +75,7 @@ TEST(Neighbours, AlternateWhereNoneHasTheSameColour) {
       const Neighbours<2> neighbours(rectangle, {true, around});
       int alike = 0;
       for (std::uint32_t cell = 0; cell < rectangle.size(); ++cell)
-        neighbours.for_each_neighbour(cell, [&](std::uint32_t other, const Vector<2>&) {
+        neighbours.for_each_neighbour(cell, [&](std::uint32_t other, int, bool) {
           for (const std::uint64_t turn : {0, 1, 2, 3})
             alike += neighbours.colour(cell, turn) == neighbours.colour(other, turn);
         });

@@ -64,7 +64,14 @@ void ParticleStore<D>::sort() {
   inserted_.clear();
   // arrival_[c + 1] counts cell c; after the sum, arrival_[c] is where cell c begins.
   std::inclusive_scan(arrival_.begin(), arrival_.end(), arrival_.begin());
-  scatter(phase_, place_, arrival_.data(), next_phase_);
+  velocity_sum_.assign(sums_velocities_ ? cells_.size() + 1 : 0, Vector<D>::Zero());
+  if (sums_velocities_)
+    scatter(phase_, place_, arrival_.data(), next_phase_,
+            [sum = velocity_sum_.data()](std::uint32_t cell, const Phase<D>& particle) {
+              sum[cell] += particle.velocity;
+            });
+  else
+    scatter(phase_, place_, arrival_.data(), next_phase_);
   phase_.swap(next_phase_);
   for (const auto& column : columns_) column->sort(place_, arrival_.data());
   offset_.swap(arrival_);
@@ -227,7 +234,8 @@ template <int D>
 std::size_t ParticleStore<D>::bytes() const {
   std::size_t bytes = (phase_.capacity() + next_phase_.capacity()) * sizeof(Phase<D>) +
                       place_.capacity() * sizeof(Place) +
-                      (offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t) + cells_.bytes();
+                      (offset_.capacity() + arrival_.capacity()) * sizeof(std::uint32_t) +
+                      velocity_sum_.capacity() * sizeof(Vector<D>) + cells_.bytes();
   for (const auto& column : columns_) bytes += column->bytes();
   return bytes;
 }

@@ -60,6 +60,11 @@ class ParticleStore {
   void insert(const Particles<D>& particles);
   /// Moves every particle to its place.
   void sort();
+  /// Whether the coming sorts add up the velocities of each cell, in the order in which its particles then stand.
+  void sum_velocities(bool sum) { sums_velocities_ = sum; }
+  /// By cell; empty where the last sort did not add up, or velocities have changed since.
+  std::span<const Vector<D>> velocity_sums() const { return velocity_sum_; }
+  void velocities_changed() { velocity_sum_.clear(); }
 
   // Particles that come and go as they are, see Migration.
   /// All that those at the given places have, in a message that begins with their number.
@@ -98,6 +103,8 @@ class ParticleStore {
   Column<Place> place_;
   std::vector<std::uint32_t> offset_, arrival_;  ///< by cell, one more for what is removed, and the end
   std::vector<Particles<D>> inserted_;           ///< wait for the sort
+  bool sums_velocities_ = false;
+  std::vector<Vector<D>> velocity_sum_;  ///< by cell, one more for what is removed
   std::uint64_t next_id_ = 0;
 };
 

@@ -130,6 +130,52 @@ TEST(ParticleStore, KeepsNoIdsUnasked) {
   EXPECT_TRUE(store.ids().empty());
 }
 
+/// Those of a loop over the particles of each cell, to the last digit.
+template <int D>
+void expect_sums_of_cells(const ParticleStore<D>& store) {
+  const auto sums = store.velocity_sums(), particles = store.phases();
+  ASSERT_GE(sums.size(), store.cells().size());
+  for (std::uint32_t cell = 0; cell < store.cells().size(); ++cell) {
+    Vector<D> sum = Vector<D>::Zero();
+    for (std::uint32_t i = store.offsets()[cell]; i < store.offsets()[cell + 1]; ++i)
+      sum += particles[i].velocity;
+    EXPECT_EQ(sums[cell], sum) << "cell " << cell;
+  }
+}
+
+/// Velocities whose sum depends on their order.
+template <int D>
+Particles<D> particles_in_motion() {
+  Random random(StreamKey(4, Purpose::velocities, 0, 0), 0);
+  Particles<D> particles = marked_particles<D>();
+  for (Phase<D>& particle : particles.phases) particle.velocity = random_point<D>(random) - mark<D>(1) / 3;
+  return particles;
+}
+
+template <int D>
+void expect_sums_in_the_order_of_the_cells() {
+  ParticleStore<D> store(grid<D>());
+  store.assign(particles_in_motion<D>());
+  EXPECT_TRUE(store.velocity_sums().empty());
+  store.sum_velocities(true);
+  for (std::uint64_t step = 0; step < 3; ++step) {
+    move_everything(store, step);
+    store.insert(particles_in_motion<D>());
+    store.sort();
+    expect_sums_of_cells(store);
+    store.stay(std::vector<std::uint32_t>{1, 7, 8, 100});
+    store.sort();
+    expect_sums_of_cells(store);
+  }
+  store.velocities_changed();
+  EXPECT_TRUE(store.velocity_sums().empty());
+}
+
+TEST(ParticleStore, AddsUpVelocitiesAsTheyArrive) {
+  expect_sums_in_the_order_of_the_cells<2>();
+  expect_sums_in_the_order_of_the_cells<3>();
+}
+
 TEST(ParticleStore, MayBeFilledAgainWithOtherNumbers) {
   ParticleStore<2> store(grid<2>(), {column::id});
   for (std::size_t count : {kParticles, std::size_t{3}, std::size_t{0}, 2 * kParticles}) {

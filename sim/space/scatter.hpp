@@ -19,20 +19,29 @@ struct CellPlace {
 /// Every address is known beforehand: the line of a particle this far ahead is on its way while others are copied.
 inline constexpr std::size_t kAhead = 12;
 
-/// Copies every value to its place; `begin` is where each cell begins.
-template <class T>
+/// Copies every value to its place and calls visit(cell, value); `begin` is where each cell begins.
+template <class T, class Visit>
 void scatter(const Column<T>& from, const Column<CellPlace>& places, const std::uint32_t* begin,
-             Column<T>& to) {
+             Column<T>& to, Visit visit) {
   const T* source = from.data();
   const CellPlace* place = places.data();
   T* target = to.data();
   const auto slot = [begin, place](std::size_t i) { return begin[place[i].cell] + place[i].rank; };
   const std::size_t count = from.size(), ahead = count > kAhead ? count - kAhead : 0;
+  const auto copy = [&](std::size_t i) {
+    target[slot(i)] = source[i];
+    visit(place[i].cell, source[i]);
+  };
   for (std::size_t i = 0; i < ahead; ++i) {
     __builtin_prefetch(target + slot(i + kAhead), 1);
-    target[slot(i)] = source[i];
+    copy(i);
   }
-  for (std::size_t i = ahead; i < count; ++i) target[slot(i)] = source[i];
+  for (std::size_t i = ahead; i < count; ++i) copy(i);
+}
+template <class T>
+void scatter(const Column<T>& from, const Column<CellPlace>& places, const std::uint32_t* begin,
+             Column<T>& to) {
+  scatter(from, places, begin, to, [](std::uint32_t, const T&) {});
 }
 
 /// Gives back memory beyond that for `room` values.

@@ -34,8 +34,11 @@ constexpr std::size_t kPairsAhead = 4;
 
 template <int D>
 void fetch(std::span<Phase<D>> particles) {
-  for (std::size_t i = 0; i < particles.size(); i += 64 / sizeof(Phase<D>))
-    __builtin_prefetch(particles.data() + i, 1);
+  constexpr std::size_t together = 8;  // a loop whose end can be guessed
+  const auto* bytes = reinterpret_cast<const std::byte*>(particles.data());
+  for (std::size_t i = 0; i < particles.size(); i += together)
+    for (std::size_t line = 0; line < together * sizeof(Phase<D>); line += 64)
+      __builtin_prefetch(bytes + i * sizeof(Phase<D>) + line, 1);
 }
 
 template <int D>
@@ -103,11 +106,12 @@ template <int D>
 CellNeeds CellCollisions<D>::needs(const CellStep<D>& step) {
   find_active(step);
   if (active_.empty()) return {};
+  if (!step.store.velocity_sums().empty()) return {.velocity = true};
   near_.assign(choice_.size(), 0);
   for (const std::uint32_t cell : active_) {
     near_[cell] = 1;
-    step.neighbours.for_each_neighbour(
-        cell, [this](std::uint32_t neighbour, const Vector<D>&) { near_[neighbour] = 1; });
+    step.neighbours.for_each_neighbour(cell,
+                                       [this](std::uint32_t neighbour, int, bool) { near_[neighbour] = 1; });
   }
   return {.velocity = true, .where = near_};
 }
@@ -126,38 +130,51 @@ void CellCollisions<D>::find_active(const CellStep<D>& step) {
 
 template <int D>
 void CellCollisions<D>::apply(const CellStep<D>& step) {
-  chosen_.clear();
-  for (const std::uint32_t cell : active_) choose(step, cell);
+  choose(step);
   for (std::size_t i = 0; i < chosen_.size(); ++i) {
     if (i + kPairsAhead < chosen_.size()) {
       const std::uint32_t coming = chosen_[i + kPairsAhead];
       fetch(particles_of(step, coming));
-      fetch(particles_of(step, choice_[coming].from));
+      fetch(particles_of(step, choice_[coming].cell));
     }
-    collide(step, choice_[chosen_[i]].from, chosen_[i]);
+    collide(step, choice_[chosen_[i]].cell, chosen_[i]);
     choice_[chosen_[i]] = {};
   }
 }
 
-/// Among neighbours of the other colour. The first of equals is taken, in the order of the cells.
+/// Whether a choice counts, or is better than one before, nobody can guess: no branch.
 template <int D>
-void CellCollisions<D>::choose(const CellStep<D>& step, std::uint32_t cell) {
+void CellCollisions<D>::choose(const CellStep<D>& step) {
+  chosen_.resize(active_.size() + 1);
+  std::size_t count = 0;
+  for (const std::uint32_t cell : active_) {
+    const auto [approach, to] = fastest(step, cell);
+    Choice& current = choice_[to];
+    chosen_[count] = to;
+    const bool first = bool(approach > 0) & bool(current.approach == 0);
+    count += first;
+    current = approach > current.approach ? Choice{approach, cell} : current;
+  }
+  chosen_.resize(count);
+}
+
+/// The neighbour of the other colour that is approached fastest, of equals the first in the order of the cells; the cell
+/// itself, at 0, where it approaches none.
+template <int D>
+typename CellCollisions<D>::Choice CellCollisions<D>::fastest(const CellStep<D>& step,
+                                                              std::uint32_t cell) const {
   const auto offsets = step.store.offsets();
   const Vector<D> velocity = step.fields.velocity[cell];
   const bool ask = !step.neighbours.alternate();
   Choice best{0, cell};
-  std::uint32_t to = cell;
-  step.neighbours.for_each_neighbour(cell, [&](std::uint32_t neighbour, const Vector<D>& direction) {
+  step.neighbours.for_each_neighbour(cell, [&](std::uint32_t neighbour, int axis, bool up) {
     if (ask && step.neighbours.colour(neighbour, turn(step)) == 0) return;
-    const double approach = (velocity - step.fields.velocity[neighbour]).dot(direction);
+    const double approach = step.neighbours.towards(velocity - step.fields.velocity[neighbour], axis, up);
     const bool nearer = bool(approach > best.approach) & bool(offsets[neighbour] != offsets[neighbour + 1]);
     best.approach = nearer ? approach : best.approach;
-    to = nearer ? neighbour : to;
+    best.cell = nearer ? neighbour : best.cell;
   });
-  if (to == cell) return;
-  Choice& current = choice_[to];
-  if (current.approach == 0) chosen_.push_back(to);
-  if (best.approach > current.approach) current = best;
+  return best;
 }
 
 template <int D>

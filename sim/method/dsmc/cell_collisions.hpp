@@ -35,15 +35,16 @@ class CellCollisions final : public CellStage<D> {
   }
 
  private:
-  /// The cell that has chosen this one, and how fast it comes.
+  /// Another cell, and how fast the two approach each other.
   struct Choice {
     double approach = 0;
-    std::uint32_t from = 0;
+    std::uint32_t cell = 0;
   };
 
   std::uint64_t turn(const CellStep<D>& step) const { return step.number * swap_; }
   void find_active(const CellStep<D>& step);
-  void choose(const CellStep<D>& step, std::uint32_t cell);
+  void choose(const CellStep<D>& step);
+  Choice fastest(const CellStep<D>& step, std::uint32_t cell) const;
   void collide(const CellStep<D>& step, std::uint32_t first, std::uint32_t second);
 
   const FullCells<D>& full_;
@@ -52,7 +53,7 @@ class CellCollisions final : public CellStage<D> {
   std::vector<std::uint32_t> active_,
       chosen_;                      ///< full cells of the active colour; cells that those have chosen
   std::vector<std::uint8_t> near_;  ///< by cell, not zero for an active one and its neighbours
-  std::vector<Choice> choice_;      ///< by chosen cell
+  std::vector<Choice> choice_;      ///< by chosen cell: the one that has it
   CellCollisionCount count_;
 };
 

@@ -20,11 +20,18 @@ void CellFields<D>::update(const CellNeeds& needs, const ParticleStore<D>& store
     const double whole = static_cast<double>(particles.size()) / store.grid().cell_volume();
     return volumes.empty() ? whole : whole / volumes[cell];
   });
-  fill(velocity, [](std::size_t, std::span<const Phase<D>> particles) {
-    Vector<D> momentum = Vector<D>::Zero();
-    for (const Phase<D>& particle : particles) momentum += particle.velocity;
-    return Vector<D>(momentum / std::max(static_cast<double>(particles.size()), 1.0));
-  });
+  const auto mean = [](const Vector<D>& sum, std::size_t particles) {
+    return Vector<D>(sum / std::max(static_cast<double>(particles), 1.0));
+  };
+  if (const auto sums = store.velocity_sums(); !sums.empty())
+    for (std::size_t cell = 0; cell < velocity.size(); ++cell)
+      velocity[cell] = mean(sums[cell], store.offsets()[cell + 1] - store.offsets()[cell]);
+  else
+    fill(velocity, [&](std::size_t, std::span<const Phase<D>> particles) {
+      Vector<D> sum = Vector<D>::Zero();
+      for (const Phase<D>& particle : particles) sum += particle.velocity;
+      return mean(sum, particles.size());
+    });
   fill(energy, [](std::size_t, std::span<const Phase<D>> particles) {
     double square = 0;
     for (const Phase<D>& particle : particles) square += particle.velocity.squaredNorm();

@@ -64,6 +64,7 @@ class CellStages {
     for (const auto& stage : stages_) {
       fields_.update(stage->needs(step), store);
       stage->apply(step);
+      store.velocities_changed();
     }
   }
   std::size_t bytes() const {

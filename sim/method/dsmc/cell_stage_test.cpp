@@ -155,6 +155,28 @@ TEST(CellStage, FieldsAreFilledWhereTheyAreRead) {
   EXPECT_EQ(fields.velocity[2], Vector<2>(5, 6));
 }
 
+/// Whether the sort has added up or not: the same to the last digit.
+TEST(CellStage, MeanVelocitiesMayComeFromTheSort) {
+  const std::array<std::uint32_t, 3> cells{kCells, kCells, kCells};
+  const Grid<3> grid(Vector<3>::Constant(kCells), cells);
+  ParticleStore<3> plain(grid), summed(grid);
+  summed.sum_velocities(true);
+  plain.assign({particles<3>(), {}});
+  summed.assign({particles<3>(), {}});
+  ASSERT_FALSE(summed.velocity_sums().empty());
+  CellFields<3> fields, quick;
+  fields.update({.velocity = true}, plain);
+  quick.update({.velocity = true}, summed);
+  EXPECT_EQ(quick.velocity, fields.velocity);
+}
+
+/// A stage sees the velocities that those before it have left.
+TEST(CellStage, SeesWhatTheOneBeforeHasChanged) {
+  Dsmc<2> dsmc = simulation<2>(std::make_unique<Swap<2>>(false));
+  dsmc.add(std::make_unique<Look<2>>());
+  for (std::uint64_t step = 0; step < 3; ++step) dsmc.step(0.1, step);
+}
+
 TEST(CellStage, EnergyIsThatOfTheParticles) {
   ParticleStore<3> store(Grid<3>(Vector<3>(1, 1, 1), {1, 1, 1}));
   store.assign({{{{0, 0, 0}, {1, 2, 2}}, {{0, 0, 0}, {0, 0, 4}}}, {}});

@@ -73,7 +73,10 @@ void Dsmc<D>::make_factor(double particles) {
 template <int D>
 void Dsmc<D>::step(double dt, std::uint64_t step) {
   const StreamKey key(streams_.seed, purpose_, streams_.replica, step);
-  if (excluded_) excluded_->mark(store_.offsets());
+  if (excluded_) {
+    excluded_->mark(store_.offsets());
+    store_.sum_velocities(excluded_->wants_means());
+  }
   stages_.apply(store_, key, step, dt);
   if (factor_)
     factor_->update(store_.offsets(), this->work(), excluded_ ? excluded_->full() : nullptr, species());

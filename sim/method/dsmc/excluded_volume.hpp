@@ -27,6 +27,8 @@ class ExcludedVolumeOfCells {
   const std::uint8_t* full() const { return full_.any() ? full_.flags() : nullptr; }
   /// Per cell, not zero where partners are not displaced; null where all are.
   const std::uint8_t* still() const { return everywhere_ || !full_.any() ? nullptr : full_.flags(); }
+  /// Whether the mean velocities of most cells are wanted.
+  bool wants_means() const { return full_.many(); }
   /// Before the moves of a step; `key` names their draws.
   void begin_moves(std::span<const std::uint32_t> offsets, const StreamKey& key);
   void advance(ParticleStore<D>& store, std::uint32_t first_cell, std::uint32_t last_cell,

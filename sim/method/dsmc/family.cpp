@@ -152,7 +152,7 @@ class Builder final : public MethodBuilder<D> {
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
            (parameters_.kinds.mixed() ? 2 : 0) + (parameters_.kinds.rough ? 2 * sizeof(Spin<D>) : 0) +
            (parameters_.weights.empty() ? 0 : 16) + (parameters_.excluded_volume.any() ? 5 : 0) +
-           (per_cell + (parameters_.excluded_volume.any() ? 26 + 8 * D : 0)) * cells_.size() / particles;
+           (per_cell + (parameters_.excluded_volume.any() ? 26 + 16 * D : 0)) * cells_.size() / particles;
   }
 
   /// Two warnings never advise opposite things: cells as wide as a mean free path or wider get more particles by weight.

@@ -26,15 +26,16 @@ FullCells<D>::FullCells(const Parameters& parameters, const LatticeOfCells<D>& c
 template <int D>
 void FullCells<D>::update(std::span<const std::uint32_t> offsets) {
   const auto mark = [offsets, full = std::span(full_)](auto capacity) {
-    std::uint8_t any = 0;
+    std::uint32_t count = 0;
     for (std::uint32_t cell = 0; cell + 1 < full.size(); ++cell) {
       full[cell] = offsets[cell + 1] - offsets[cell] >= capacity(cell);
-      any |= full[cell];
+      count += full[cell];
     }
-    return any != 0;
+    return count;
   };
-  any_ = volumes_.empty() ? mark([whole = whole_](std::uint32_t) { return whole; })
-                          : mark([this](std::uint32_t cell) { return capacity(cell); });
+  count_ = volumes_.empty() ? mark([whole = whole_](std::uint32_t) { return whole; })
+                            : mark([this](std::uint32_t cell) { return capacity(cell); });
+  many_ = 4.0 * count_ * whole_ > offsets.back();
 }
 
 template class FullCells<2>;

@@ -22,7 +22,10 @@ class FullCells {
 
   /// `offsets` as of ParticleStore.
   void update(std::span<const std::uint32_t> offsets);
-  bool any() const { return any_; }
+  bool any() const { return count_ > 0; }
+  /// Whether full cells and their neighbours are most of those that hold something: full ones hold a quarter of the
+  /// particles or more.
+  bool many() const { return many_; }
   /// Also of ParticleStore::removed().
   bool full(std::uint32_t cell) const { return full_[cell] != 0; }
   const std::uint8_t* flags() const { return full_.data(); }
@@ -37,7 +40,8 @@ class FullCells {
   double cell_volume_;
   std::uint32_t whole_;              ///< particles that fill a whole cell
   std::span<const double> volumes_;  ///< as of LatticeOfCells
-  bool any_ = false;
+  std::uint32_t count_ = 0;          ///< of full cells
+  bool many_ = false;
   std::vector<std::uint8_t> full_;  ///< by cell, and one more that never is: where particles leave
 };
 

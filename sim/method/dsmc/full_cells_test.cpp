@@ -19,9 +19,22 @@ TEST(FullCells, HaveNoRoomForOneMore) {
   EXPECT_FALSE(full.full(3));
   EXPECT_FALSE(full.full(4));  // out of the box
   EXPECT_TRUE(full.any());
+  EXPECT_TRUE(full.many());
   const std::vector<std::uint32_t> sparse = {0, 9, 18, 18, 18};
   full.update(sparse);
   EXPECT_FALSE(full.any());
+  EXPECT_FALSE(full.many());
+}
+
+TEST(FullCells, AreManyWhereTheyHoldAQuarterOfTheParticles) {
+  FullCells<2> full(crowd_parameters<2>(), crowd_grid<2>(6));
+  for (const std::uint32_t others : {29u, 30u}) {
+    std::vector<std::uint32_t> offsets = {0, 10};
+    for (std::uint32_t cell = 1; cell < 36; ++cell) offsets.push_back(10 + std::min(cell, others));
+    full.update(offsets);
+    EXPECT_TRUE(full.any());
+    EXPECT_EQ(full.many(), others == 29);
+  }
 }
 
 /// A box around one square on a corner: a quarter cell in each of its corners.
