@@ -12,6 +12,7 @@ MixtureContactFactor<D>::MixtureContactFactor(const Parameters& parameters, cons
     : dimension_(parameters.factor.dimension),
       smoothed_(parameters.factor.smoothed),
       of_largest_(parameters.faults.contact_of_largest),
+      fewest_(parameters.partners == Partners::contact ? 0 : 2),
       densest_(densest_fraction(D)),
       largest_(cells.size()) {
   const int half_width = smoothed_ ? static_cast<int>(window_cells(parameters, cells, particles) / 2) : 0;
@@ -33,7 +34,7 @@ void MixtureContactFactor<D>::update(std::span<const std::uint32_t> offsets, con
                                      const std::uint8_t* species) {
   count(offsets, work, species);
   for (std::uint32_t cell = work.first(); cell < work.last(); ++cell)
-    if (offsets[cell + 1] - offsets[cell] > 1) update_cell(cell);
+    if (offsets[cell + 1] - offsets[cell] >= fewest_) update_cell(cell);
 }
 
 template <int D>

@@ -36,7 +36,8 @@ class MixtureContactFactor {
 
   int dimension_;  ///< of the formula
   bool smoothed_;
-  bool of_largest_;  ///< planted fault: all pairs have the largest
+  bool of_largest_;       ///< planted fault: all pairs have the largest
+  std::uint32_t fewest_;  ///< particles of a cell whose factors anybody reads
   double densest_;
   std::vector<double> diameters_;
   std::vector<Crowding> crowding_;     ///< of one particle of each species in one whole cell
