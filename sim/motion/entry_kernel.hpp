@@ -7,7 +7,8 @@
 namespace sandglass::motion {
 
 /// The loop over the particles of each cell: a `Flight` looks where one would end, and flies it there if it may. A flight
-/// with bounces, hundreds for who rests on a floor, is not flown again unless something counts them.
+/// with bounces, hundreds for who rests on a floor, is not flown again unless something counts them. A look changes spins at
+/// rough surfaces.
 template <class Flight, bool Counts, int D = Flight::kDimension>
 class EntryKernel final : public EntryStage<D> {
  public:
@@ -28,20 +29,25 @@ class EntryKernel final : public EntryStage<D> {
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();
+    const std::span<Spin<D>> spins = store.column(column::spin<D>);
     std::uint64_t refused = 0;
     Phase<D> arrived = {};
     for (std::uint32_t cell = first; cell < last; ++cell) {
       const bool within = !entries.within_too || entries.full[cell] == 0;
       for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i) {
         bool bounded = false;
+        const Spin<D> spin = spins.empty() ? Spin<D>::Zero() : spins[i];
         std::uint32_t to = locator.cell_of(flight.look(particles[i], i, arrived, bounded));
         if ((to == cell && within) || admits(entries, to, cell, i - offsets[cell])) {
-          if (bounded && !Counts)
+          if (bounded && !Counts) {
             particles[i] = arrived;
-          else
+          } else {
+            if (!spins.empty()) spins[i] = spin;
             flight.template fly<Counts>(particles[i], i);
+          }
         } else {
           to = cell;
+          if (!spins.empty()) spins[i] = spin;
           ++refused;
           if (offsets_) store.cells().put_into(cell, particles[i].position);
         }
