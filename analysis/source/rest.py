@@ -4,6 +4,7 @@ from functools import partial
 
 import numpy as np
 
+from analysis.source.methods import PLAIN
 from analysis.source.panels import BLACK, finish, panels, shade
 from analysis.source.runs import mean_error
 
@@ -44,7 +45,7 @@ def _mean_density(run, species):
 
 
 def draw_density(number, point, case, stem):
-    run = case.choose(point, "dsmc")[0]
+    run = case.choose(point, PLAIN)[0]
     names = [item["name"] for item in run.scene["species"]]
     picture, [row] = panels(len(names))
     for species, (panel, name) in enumerate(zip(row, names)):
@@ -57,7 +58,7 @@ def draw_density(number, point, case, stem):
 
 
 def draw_temperature(case, stem):
-    run = case.choose("rough-spheres", "dsmc")[0]
+    run = case.choose("rough-spheres", PLAIN)[0]
     picture, [[panel]] = panels()
     _draw(panel, run, "fields", -1, run.scene["initial"]["temperature"], "T / T₀ of translation")
     finish(picture, "3.1(b)", "Temperature in a column that comes to rest", stem)
@@ -77,7 +78,7 @@ def energies(run):
 def draw_total(case, stem):
     picture, [[panel]] = panels()
     for index, (point, name) in enumerate(COOLING.items()):
-        hits, translation, rotation = energies(case.choose(point, "dsmc")[0])
+        hits, translation, rotation = energies(case.choose(point, PLAIN)[0])
         panel.plot(hits, translation + rotation, color=shade(index, len(COOLING)), label=name,
                    linestyle="--" if point == "1-minus-1" else "-")
     panel.set(xlabel="collisions per particle", ylabel="E / E₀", xlim=(0, 20), ylim=(0, 1.05))
@@ -88,7 +89,7 @@ def draw_total(case, stem):
 def draw_parts(case, stem):
     picture, rows = panels(3, 2, width=11)
     for panel, (point, name) in zip(rows.flat, COOLING.items()):
-        hits, translation, rotation = energies(case.choose(point, "dsmc")[0])
+        hits, translation, rotation = energies(case.choose(point, PLAIN)[0])
         panel.plot(hits, translation, color=BLACK, label="translation")
         panel.plot(hits, rotation, "--", color=BLACK, label="spin")
         panel.set(title=f"(ε_p, ε_s) = {name}", xlim=(0, 20), ylim=(0, 0.55))
