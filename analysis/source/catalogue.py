@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 from analysis.checked import read_toml
 from analysis.errors import InputError
-from analysis.source import bed, channel, clustering, cooling, correlations, heap, mixing, pipe, shear
+from analysis.source import bed, channel, clustering, cooling, correlations, heap, mixing, pipe, rest, shear
 from analysis.source.methods import FOLDER
 
 DRAWINGS = {"MUL": cooling.FIGURES | clustering.FIGURES | shear.FIGURES | pipe.FIGURES | heap.FIGURES
             | correlations.FIGURES | bed.FIGURES,
             "GRE": mixing.FIGURES,
-            "KAW": channel.FIGURES}
+            "KAW": rest.FIGURES | channel.FIGURES}
 
 
 @dataclass(frozen=True)

@@ -26,11 +26,13 @@ Parameters parameters_in(double edge, bool supported) {
   return parameters;
 }
 
-void moves(benchmark::State& state, bool supported) {
+/// `filled`: the part of the height that they are spread over at the start.
+void moves(benchmark::State& state, bool supported, double filled) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const double edge = std::sqrt(static_cast<double>(count) / kDensity);
   Mixing fluids(parameters_in(edge, supported), Streams{});
   Particles<2> particles{scattered<2>(count, edge), {}};
+  for (Phase<2>& particle : particles.phases) particle.position[1] *= filled;
   std::vector<std::uint8_t> species(count, 1);
   std::fill(species.begin(), species.begin() + static_cast<std::ptrdiff_t>(count / 4), std::uint8_t{0});
   particles.columns.set(column::species, species);
@@ -41,12 +43,17 @@ void moves(benchmark::State& state, bool supported) {
   state.counters["bytes"] = static_cast<double>(fluids.bytes()) / static_cast<double>(count);
 }
 
-BENCHMARK_CAPTURE(moves, with_support, true)
+BENCHMARK_CAPTURE(moves, with_support, true, 1.0)
     ->Arg(256)
     ->Arg(10000)
     ->Arg(100000)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(moves, repulsion_alone, false)
+BENCHMARK_CAPTURE(moves, heap_with_support, true, 0.3)
+    ->Arg(256)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(moves, repulsion_alone, false, 1.0)
     ->Arg(256)
     ->Arg(10000)
     ->Arg(100000)

@@ -54,6 +54,12 @@ const std::vector<FaultEntry<SceneChange>>& boundary_faults() {
            if (surface.rule == SurfaceKind::thermal) surface.probability = 0;
          });
        }},
+      {{"thermal-surfaces-reflect", "thermal walls and obstacles are mirrors"},
+       [](Scene& scene) {
+         change_surfaces(scene, [](SurfaceRule& surface) {
+           if (surface.rule == SurfaceKind::thermal) surface = {};
+         });
+       }},
       {{"wall-temperature-plus-10-percent", "thermal walls and obstacles at 1.1 times their temperature"},
        [](Scene& scene) {
          change_surfaces(scene, [](SurfaceRule& surface) { surface.temperature *= 1.1; });

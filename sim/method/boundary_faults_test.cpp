@@ -48,6 +48,7 @@ TEST(BoundaryFaults, ChangeWhatTheySay) {
   });
   expect_only("thermal-surfaces-draw-maxwellian",
               [](Scene& scene) { scene.walls[1].surface.probability = 0; });
+  expect_only("thermal-surfaces-reflect", [](Scene& scene) { scene.walls[1].surface = {}; });
   expect_only("wall-temperature-plus-10-percent",
               [](Scene& scene) { scene.walls[1].surface.temperature = 1.1 * 2; });
   expect_only("high-walls-lossless", [](Scene& scene) { scene.walls[0].surface.restitution = 1; });

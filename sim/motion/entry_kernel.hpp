@@ -51,20 +51,25 @@ class EntryKernel final : public EntryStage<D> {
 
   /// Whatever the path meets and the entry asks; the answer is the cell where it ends. Apart, and with a flight and locator
   /// of its own: those of the loop stay in registers. A flight with bounces, hundreds for who rests on a floor, is not flown
-  /// again unless something counts them.
+  /// again unless something counts them. A look changes spins at rough surfaces.
   template <class Locator>
   [[gnu::noinline]] std::uint32_t fly_or_stay(const Flight flight, const Locator locator,
                                               ParticleStore<D>& store, std::uint32_t i, std::uint32_t cell,
                                               const CellEntries& entries, std::uint64_t& refused) const {
     Phase<D>& particle = store.phases()[i];
+    const std::span<Spin<D>> spins = store.column(column::spin<D>);
+    const Spin<D> spin = spins.empty() ? Spin<D>::Zero() : spins[i];
     Phase<D> arrived = {};
     bool bounded = false;
     const std::uint32_t to = locator.cell_of(flight.look(particle, i, arrived, bounded));
-    if (admits(entries, to, cell, i - store.offsets()[cell])) {
-      if (bounded && !Counts)
-        particle = arrived;
-      else
-        flight.template fly<Counts>(particle, i);
+    const bool admitted = admits(entries, to, cell, i - store.offsets()[cell]);
+    if (admitted && bounded && !Counts) {
+      particle = arrived;
+      return to;
+    }
+    if (!spins.empty()) spins[i] = spin;
+    if (admitted) {
+      flight.template fly<Counts>(particle, i);
       return to;
     }
     ++refused;

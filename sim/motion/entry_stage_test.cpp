@@ -97,6 +97,39 @@ TEST(EntryStage, MovesLikeItsTwin) {
   }
 }
 
+/// Who is refused at a rough wall keeps its spin, who is not turns once, whether passages are counted or not.
+TEST(EntryStage, SpinsChangeWithTheFlightAlone) {
+  for (const bool counts : {false, true}) {
+    MotionParameters<2> parameters;
+    parameters.walled[0] = true;
+    parameters.species = {{0.1, 1, 0.00125}};
+    const WallRule rough{WallKind::specular, {{1}, 1}};
+    parameters.walls = {wall<2>(0, false, rough), wall<2>(0, true, rough)};
+    std::vector<Plane> planes{{1, 0.4, {-10, 10}}};
+    if (counts) parameters.planes = &planes;
+    const auto plain = scattered<2>(5, 0);
+    ParticleStore<2> store(plain.cells(), {column::spin<2>}), flown(plain.cells(), {column::spin<2>});
+    Particles<2> all{{plain.phases().begin(), plain.phases().end()}, {}};
+    all.columns.set(column::spin<2>, std::vector<Spin<2>>(all.phases.size(), Spin<2>(3)));
+    store.assign(all);
+    flown.assign(all);
+    const MotionStep step{0.2, 0, wall_key(0)};
+    advance(*make_motion_stage<2>(parameters, box<2>()), flown, step);
+    const std::vector<std::uint8_t> full(store.cells().size() + 1, 1);
+    store.begin_step();
+    const Particles<2> before{{store.phases().begin(), store.phases().end()}, {}};
+    make_entry_stage<2>(parameters, box<2>())->advance(store, 0, store.cells().size(), step, {full.data()});
+    std::size_t turned = 0;
+    for (std::size_t i = 0; i < store.size(); ++i) {
+      const bool stays = store.grid().cell_of(before.phases[i].position) == flown.places()[i].cell;
+      const Spin<2> expected = stays ? flown.column(column::spin<2>)[i] : Spin<2>(3);
+      ASSERT_EQ(store.column(column::spin<2>)[i], expected);
+      turned += expected != Spin<2>(3);
+    }
+    EXPECT_GT(turned, 20u);
+  }
+}
+
 TEST(EntryStage, KnowsEveryLattice) {
   for (int which = 0; which < 4; ++which) {
     const bool around = which == 0;

@@ -48,13 +48,6 @@ double density_of(const State& state) { return state.density; }
 double velocity_of(const State& state) { return state.velocity; }
 double temperature_of(const State& state) { return state.temperature(); }
 
-double mach_of(const StreamField& field, const State& state) {
-  const Inflow& inflow = field.inflow();
-  const double speed = law::most_probable_speed(inflow.temperature, field.subject().species().mass);
-  return law::mach_number(state.velocity / std::sqrt(state.temperature()) * inflow.velocity[0] / speed,
-                          law::heat_capacity_ratio(6));
-}
-
 double ratio(const StreamField& field, Some replicas, double (*value)(const State&)) {
   return value(field.mean(replicas, wall())) / value(field.mean(replicas, core()));
 }
@@ -131,11 +124,6 @@ std::vector<CheckInfo> channel_checks() {
                  "cooling-stream-translation", "Temperature along the channel", temperature_of,
                  [](const StreamField& field, Some replicas) {
                    return field.mean(replicas, core_at_exit()).temperature();
-                 }),
-      word_check("channel-core-mach", "Mach number in the core at the exit", "mach-number",
-                 "Velocity along the channel", velocity_of,
-                 [](const StreamField& field, Some replicas) {
-                   return mach_of(field, field.mean(replicas, core_at_exit()));
                  }),
       word_check("channel-wall-density", "density beside the walls over that of the core", "",
                  "Density along the channel", density_of,

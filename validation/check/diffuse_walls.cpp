@@ -138,77 +138,24 @@ double wall_layers(const Subject& subject, const law::Gap& gap) {
   return 0.01 * std::exp(2 - 0.2 / path) + path * path;
 }
 
-law::Gas at_temperature(const law::Gap& gap, double temperature) {
-  law::Gas gas = gap.gas;
-  gas.temperature = temperature;
-  return gas;
-}
-
-/// kappa(1) (2/3) d(T^(3/2))/dy.
-Evidence bulk_conductivity(const Subject& subject, const law::Arguments& numbers) {
-  const GapFlow flow(subject, numbers.at("settle-time"));
-  const double unit = law::boltzmann_conductivity(at_temperature(flow.gap(), 1), law::SonineOrder::converged);
-  Evidence evidence = over(flow, unit, [&](Some replicas) {
-    return flow.heat(replicas) / (flow.temperature(replicas).slope * 2 / 3);
-  });
-  evidence.budget.systematic =
-      wall_layers(subject, flow.gap()) + conductivity_excess(subject) + size_excess(subject);
-  evidence.budget.reason = "layers at the walls; cells and steps; size of the particles";
-  evidence.figures.push_back(profile_figure(flow, false));
-  return evidence;
-}
-
-Evidence bulk_viscosity(const Subject& subject, const law::Arguments& numbers) {
-  const GapFlow flow(subject, numbers.at("settle-time"));
-  const auto viscosity = [&](Some replicas) {
-    const double temperature = std::pow(flow.temperature(replicas).middle, 2 / 3.0);
-    return law::boltzmann_shear_viscosity(at_temperature(flow.gap(), temperature),
-                                          law::SonineOrder::converged);
-  };
-  Evidence evidence = over(flow, 1, [&](Some replicas) {
-    return flow.stress(replicas) / (flow.velocity(replicas).slope * viscosity(replicas));
-  });
-  evidence.budget.systematic =
-      wall_layers(subject, flow.gap()) + viscosity_excess(subject) + size_excess(subject);
-  evidence.budget.reason = "layers at the walls; cells and steps; size of the particles";
-  evidence.figures.push_back(profile_figure(flow, true));
-  return evidence;
-}
-
-/// A length of slip or jump over Maxwell's: between the two limits, and off by what the slope is off, over the whole distance
-/// from the middle.
-Evidence length_over_maxwell(const GapFlow& flow, double maxwell, const law::EndCorrection& correction,
-                             double slope_error, const std::function<double(Some)>& length) {
-  Evidence evidence = over(flow, maxwell, length);
-  evidence.expected = middle_of(correction);
-  evidence.budget.systematic = (correction.most - correction.least) / 2 +
-                               slope_error * (flow.gap().width / 2 / maxwell + correction.most);
-  evidence.budget.reason = "between Maxwell's estimate and the largest known; slope of the bulk";
-  return evidence;
-}
-
-/// From the straight line of T^(3/2), mean of both walls.
+/// From the straight line of T^(3/2), mean of both walls: between Maxwell's estimate and the largest length known, and off by
+/// what the slope is off, over the whole distance from the middle.
 Evidence jump_length(const Subject& subject, const law::Arguments& numbers) {
   const GapFlow flow(subject, numbers.at("settle-time"));
   const law::Gap& gap = flow.gap();
+  const law::EndCorrection correction = law::jump_correction();
+  const double maxwell = law::jump_length_maxwell(gap.gas);
   const double step = std::pow(gap.high_temperature, 1.5) - std::pow(gap.low_temperature, 1.5);
-  Evidence evidence = length_over_maxwell(
-      flow, law::jump_length_maxwell(gap.gas), law::jump_correction(),
-      wall_layers(subject, gap) + conductivity_excess(subject),
-      [&](Some replicas) { return (step / flow.temperature(replicas).slope - gap.width) / 2; });
-  evidence.budget.systematic += 4 * nonlinear(gap);
+  Evidence evidence = over(flow, maxwell, [&](Some replicas) {
+    return (step / flow.temperature_slope(replicas) - gap.width) / 2;
+  });
+  evidence.expected = middle_of(correction);
+  evidence.budget.systematic = (correction.most - correction.least) / 2 +
+                               (wall_layers(subject, gap) + conductivity_excess(subject)) *
+                                   (gap.width / 2 / maxwell + correction.most) +
+                               4 * nonlinear(gap);
+  evidence.budget.reason = "between Maxwell's estimate and the largest known; slope of the bulk";
   evidence.figures.push_back(profile_figure(flow, false));
-  return evidence;
-}
-
-Evidence slip_length(const Subject& subject, const law::Arguments& numbers) {
-  const GapFlow flow(subject, numbers.at("settle-time"));
-  const law::Gap& gap = flow.gap();
-  Evidence evidence = length_over_maxwell(
-      flow, law::slip_length_maxwell(gap.gas), law::slip_correction(),
-      wall_layers(subject, gap) + viscosity_excess(subject),
-      [&](Some replicas) { return (gap.sliding / flow.velocity(replicas).slope - gap.width) / 2; });
-  evidence.figures.push_back(profile_figure(flow, true));
   return evidence;
 }
 
@@ -234,21 +181,9 @@ std::vector<CheckInfo> diffuse_wall_checks() {
                 "shear stress on two diffuse walls over the interpolation from free flight to the continuum",
                 "free-molecular-shear-stress", is_couette, wall_shear_stress),
       gap_check(
-          "bulk-conductivity",
-          "heat between two walls over the gradient in the middle, over the conductivity of the dilute gas",
-          "boltzmann-conductivity-converged", is_fourier, bulk_conductivity),
-      gap_check(
-          "bulk-viscosity",
-          "shear stress on two walls over the gradient in the middle, over the viscosity of the dilute gas",
-          "boltzmann-shear-viscosity-converged", is_couette, bulk_viscosity),
-      gap_check(
           "jump-length",
           "length by which the temperature of the middle misses that of the walls, over Maxwell's estimate",
-          "jump-length-maxwell", is_fourier, jump_length),
-      gap_check(
-          "slip-length",
-          "length by which the velocity of the middle misses that of the walls, over Maxwell's estimate",
-          "slip-length-maxwell", is_couette, slip_length)};
+          "jump-length-maxwell", is_fourier, jump_length)};
 }
 
 }  // namespace sandglass

@@ -105,17 +105,16 @@ double GapFlow::height(std::size_t bin) const {
   return (static_cast<double>(bin) + 0.5) / static_cast<double>(bins()) * box_height_;
 }
 
-GapFlow::Line GapFlow::line(const Rows& rows, Some replicas, double power) const {
+double GapFlow::temperature_slope(Some replicas) const {
   std::vector<double> y, value;
   for (std::size_t bin = 0; bin < bins(); ++bin) {
     if (std::abs(height(bin) / box_height_ - 0.5) > kMiddle / 2) continue;
-    double sum = 0;
-    for (const std::size_t replica : replicas) sum += rows[replica][bin];
     y.push_back(height(bin) - box_height_ / 2);
-    value.push_back(std::pow(sum / static_cast<double>(replicas.size()), power));
+    double sum = 0;
+    for (const std::size_t replica : replicas) sum += temperature_[replica][bin];
+    value.push_back(std::pow(sum / static_cast<double>(replicas.size()), 1.5));
   }
-  const LineFit fit = fit_line(y, value, std::vector<double>(y.size(), 1.0));
-  return {fit.intercept, fit.slope};
+  return fit_line(y, value, std::vector<double>(y.size(), 1.0)).slope;
 }
 
 }  // namespace sandglass

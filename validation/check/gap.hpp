@@ -25,13 +25,9 @@ class GapFlow {
   /// Shear stress, positive where the high wall slides towards larger x. Needs `wall-force`.
   double stress(Some replicas) const { return average(stress_, replicas); }
 
-  /// Straight line through the bins whose centres lie in the middle of the height: of the velocity along x, or of the
-  /// temperature to the power 3/2, which is straight where the conductivity goes as its root.
-  struct Line {
-    double middle, slope;
-  };
-  Line velocity(Some replicas) const { return line(velocity_, replicas, 1); }
-  Line temperature(Some replicas) const { return line(temperature_, replicas, 1.5); }
+  /// Of the straight line through the bins whose centres lie in the middle of the height, of the temperature to the power
+  /// 3/2, which is straight where the conductivity goes as its root.
+  double temperature_slope(Some replicas) const;
 
   /// The law's gap: what the centres of the particles can reach, and the density there.
   const law::Gap& gap() const { return gap_; }
@@ -44,7 +40,6 @@ class GapFlow {
  private:
   using Rows = std::vector<std::vector<double>>;  ///< [replica][bin]
   static double average(const std::vector<double>& values, Some replicas);
-  Line line(const Rows& rows, Some replicas, double power) const;
 
   const Subject& subject_;
   law::Gap gap_;

@@ -166,11 +166,11 @@ double Sedimentation::temperature_shift(double bins) const {
   return mean_shift() + shift * law::weight_of_crowded_samples(fewest);
 }
 
-/// Of hard particles: each species finds less room where the others are dense, to first order in their size; most at one of
-/// the ends.
+/// Of hard particles, and of points whose collisions carry the same pressure: each species finds less room where the others
+/// are dense, to first order in their size; most at one of the ends.
 double Sedimentation::size_shift() const {
   const Scene& scene = subject_.scene();
-  if (!touches(scene)) return 0;
+  if (!touches(scene) && !loses_pairs(scene)) return 0;
   double largest = 0;
   for (const Species& one : scene.species) {
     double low = 0, high = 0;

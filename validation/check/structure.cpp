@@ -36,33 +36,6 @@ std::vector<std::vector<double>> weighted(const Subject& subject, const std::str
   return sums;
 }
 
-/// S(0) from the slope of the reference equation of state.
-double reference_structure(const law::Gas& gas) {
-  constexpr double h = 1e-3;
-  const auto pressure = [&](double fraction) {
-    law::Gas other = gas;
-    other.restitution = 1;
-    other.fraction = fraction;
-    return fraction * law::reference_compressibility(other).value;
-  };
-  return 2 * h / (pressure(gas.fraction + h) - pressure(gas.fraction - h));
-}
-
-Evidence structure_limit(const Subject& subject, const law::Arguments& numbers) {
-  const auto shells = static_cast<std::size_t>(numbers.at("shells"));
-  std::vector<double> squares;
-  for (std::size_t shell = 1; shell <= shells; ++shell) squares.push_back(static_cast<double>(shell * shell));
-  const double expected = reference_structure(subject.gas(1));
-  Evidence evidence =
-      from_mean(pooled(weighted(subject, kStructure, 0, intercept_weights(squares, 1), true)), expected);
-  const double average = pooled(weighted(subject, kStructure, 0, mean_weights(shells), true)).value;
-  const double bend = std::pow(average / evidence.value - 1, 2);
-  evidence.budget.systematic =
-      std::abs(law::long_wave_structure(subject.gas(1)) - expected) + bend * evidence.value;
-  evidence.budget.reason = "spread of the equations of state; fourth order in k as the square of the second";
-  return evidence;
-}
-
 /// Independent waves (k and -k are one) in the shells up to `shells` of a box of equal edges.
 double waves_within(int dimension, std::size_t shells) {
   const int most = static_cast<int>(shells) + 1;
@@ -140,28 +113,16 @@ Evidence contact_value(const Subject& subject, const law::Arguments& numbers) {
 }
 
 bool touches_evenly(const Scene& scene) { return touches(scene) && is_uniform(scene); }
-bool rests_evenly(const Scene& scene) { return touches(scene) && is_equilibrium(scene); }
-
-law::Parameter shells(double fallback) {
-  return {"shells", "1", "lowest shells of |k| that are used", 1, 100, fallback, 1};
-}
 }  // namespace
 
 std::vector<CheckInfo> structure_checks() {
-  return {{"structure-factor-limit",
-           "structure factor, continued to long waves, against the compressibility of the equation of state",
-           "long-wave-structure",
-           {kStructure},
-           true,
-           {shells(6)},
-           rests_evenly,
-           structure_limit},
-          {"structure-factor-growth",
+  return {{"structure-factor-growth",
            "long waves of the density grow between the first sample and the last",
            "",
            {kStructure},
            false,
-           {shells(3), {"least", "1", "smallest factor by which S(k) must grow", 1, 1e9}},
+           {{"shells", "1", "lowest shells of |k| that are used", 1, 100, 3, 1},
+            {"least", "1", "smallest factor by which S(k) must grow", 1, 1e9}},
            touches_evenly,
            structure_growth},
           {"contact-value",

@@ -40,30 +40,6 @@ Record with_bins(const std::string& quantity, int bins, double low, double high,
   return record;
 }
 
-/// S(0) = 1 / (1 + 4 nu g + 2 nu^2 g') at nu = 0.25 with Henderson's g, by hand.
-const double kLimit = 1 / (1 + 19.0 / 12 + 31.0 / 72);
-
-Evidence limit_of(double error) {
-  Record record = with_bins("structure-factor", 10, 0.5, 10.5, 8);
-  Generator generator(31);
-  std::gamma_distribution<double> wave(10, 0.1);
-  for (Replica& replica : record.replicas)
-    for (int sample = 0; sample < 200; ++sample) {
-      std::vector<double> shells;
-      for (int shell = 1; shell <= 10; ++shell)
-        shells.push_back(kLimit * (1 + error) * (1 + 0.002 * shell * shell) * wave(generator));
-      add_sample(replica.series[0], sample, shells);
-    }
-  return run_check(find_check("structure-factor-limit"), record, {});
-}
-
-TEST(StructureFactorLimit, SeesTheCompressibilityAndAnIdealGas) {
-  EXPECT_LT(excess(limit_of(0)), 4);
-  EXPECT_LT(limit_of(0).budget.systematic, 0.02 * kLimit);
-  EXPECT_GT(excess(limit_of(0.1)), 4);
-  EXPECT_GT(excess(limit_of(1 / kLimit - 1)), 50);
-}
-
 Evidence growth_of(double factor) {
   Record record = with_bins("structure-factor", 10, 0.5, 10.5, 2);
   for (Replica& replica : record.replicas) {

@@ -75,6 +75,13 @@ TEST(ReadCase, EveryCheckHasAMutantInEachFamily) {
       ADD_FAILURE() << subject.name << " plants no fault for " << untested.check << " in " << untested.family;
 }
 
+TEST(ReadCase, EveryCheckIsUsedByACase) {
+  std::set<std::string> used;
+  for (const Case& subject : read_cases(SANDGLASS_SOURCE_DIR "/validation/case"))
+    for (const CheckUse& use : subject.checks) used.insert(use.check);
+  for (const CheckInfo& check : all_checks()) EXPECT_TRUE(used.contains(check.name)) << check.name;
+}
+
 /// A pattern of the shared file may match nothing in one case, but not in all of them.
 TEST(ReadCase, EverySharedLimitAndAdditionIsUsedByACase) {
   const std::string folder = SANDGLASS_SOURCE_DIR "/validation/case";

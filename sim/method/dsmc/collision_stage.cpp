@@ -28,7 +28,7 @@ namespace {
 /// Calls `make` with the pair rule of these parameters.
 template <int D, class Make>
 auto with_rule(const Parameters& parameters, Make make) {
-  const bool mixed = parameters.kinds.mixed(), dense = mixed && parameters.factor.formula != nullptr;
+  const bool mixed = parameters.kinds.mixed(), dense = has_factors_of_species(parameters);
   if (parameters.kinds.rough)
     return dense ? make(std::type_identity<DensePairs<D, RoughPairs<D>>>{})
                  : make(std::type_identity<RoughPairs<D>>{});

@@ -223,5 +223,38 @@ TEST(ExcludedVolume, RampDrawsAnewInEveryStep) {
   EXPECT_NEAR(waiting / double{kRows}, 0.25, 4 * std::sqrt(0.25 * 0.75 / kRows));
 }
 
+/// Pairs of particles change spins, whole cells do not.
+template <int D>
+void expect_rough_particles_keep_energy() {
+  Parameters parameters = hybrid<D>(1);
+  const double inertia = 0.1;
+  parameters.kinds.species = {{1, 1, inertia}};
+  parameters.kinds.surfaces = {{{1}, 1}};
+  parameters.kinds.rough = true;
+  motion::MotionParameters<D> motion;
+  motion.offsets = true;
+  Dsmc<D> dsmc(crowd_grid<D>(), parameters, motion, {}, Purpose::collisions, {column::spin<D>});
+  dsmc.assign({crowd(crowd_grid<D>()), {}});
+  const auto energies = [&] {
+    std::pair<double, double> sum{0, 0};
+    for (const Phase<D>& particle : dsmc.view().particles) sum.first += particle.velocity.squaredNorm() / 2;
+    for (const Spin<D>& spin : dsmc.view().columns.get(column::spin<D>))
+      sum.second += inertia * spin.squaredNorm() / 2;
+    return sum;
+  };
+  const double before = energies().first;
+  for (std::uint64_t step = 0; step < 30; ++step) dsmc.step(0.2, step);
+  const auto [translation, rotation] = energies();
+  EXPECT_GT(dsmc.counters().at("cell-collisions"), 100);
+  EXPECT_GT(dsmc.counters().at("moves-refused"), 100);
+  EXPECT_GT(rotation, 0.1 * before);
+  EXPECT_NEAR((translation + rotation) / before, 1, 1e-12);
+}
+
+TEST(ExcludedVolume, RoughParticlesKeepTheirEnergy) {
+  expect_rough_particles_keep_energy<2>();
+  expect_rough_particles_keep_energy<3>();
+}
+
 }  // namespace
 }  // namespace sandglass::dsmc::excluded_volume_test

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace sandglass::dsmc {
 
@@ -15,6 +16,10 @@ namespace sandglass::dsmc {
 inline double weight_of_missing_pairs(double path) {
   return 1 + 0.178 / (1 + 1.3 * path + 1.4 * path * path);
 }
+
+/// Factor that makes up for missing pairs: `expected` by chance over `pairs` counted, but for the speed of the missing ones.
+/// `path` as of weight_of_missing_pairs().
+double factor_of_missing_pairs(double expected, double pairs, double path, const Faults& faults);
 
 /// Factor on the pairs of each cell that makes up for those which an offset has taken out of it.
 ///
@@ -46,7 +51,39 @@ class ExpectedPairs {
   WindowSum<D, double> pairs_;
 };
 
+/// The same for each pair of species. Of species so rare that chance would put but a few of their pairs into a window,
+/// all pairs together say how many are missing.
+template <int D>
+class ExpectedPairsOfSpecies {
+ public:
+  ExpectedPairsOfSpecies(const Parameters& parameters, const LatticeOfCells<D>& cells,
+                         const std::array<bool, D>& periodic, double particles);
+
+  void set_volumes(std::span<const double> volumes);
+  void update(std::span<const std::uint32_t> offsets, const SharedCells& work, const std::uint8_t* species);
+  /// `contact` is the contact factor of the pair.
+  double factor(std::uint32_t cell, std::size_t first, std::size_t second, double contact) const;
+  std::size_t bytes() const;
+
+ private:
+  struct Pairs {
+    double expected = 0, counted = 0;
+  };
+  std::size_t index(std::size_t first, std::size_t second) const;
+  Pairs of(std::uint32_t cell, std::size_t first, std::size_t second) const;
+  Pairs of_all(std::uint32_t cell) const;
+  void count(std::uint32_t cell, const std::vector<std::uint32_t>& held);
+
+  Faults faults_;
+  double path_of_one_;                       ///< of a particle of mean size, as of ExpectedPairs
+  std::span<const double> volumes_;          ///< as of LatticeOfCells
+  std::vector<WindowSum<D>> particles_;      ///< of each species
+  std::vector<WindowSum<D, double>> pairs_;  ///< of each pair of them, those of one species counted twice
+};
+
 extern template class ExpectedPairs<2>;
 extern template class ExpectedPairs<3>;
+extern template class ExpectedPairsOfSpecies<2>;
+extern template class ExpectedPairsOfSpecies<3>;
 
 }  // namespace sandglass::dsmc

@@ -135,6 +135,17 @@ class Builder final : public MethodBuilder<D> {
     const auto species = static_cast<double>(std::max<std::size_t>(parameters_.kinds.species.size(), 1));
     return parameters_.kinds.mixed() ? 12 * species + 8 + 8 * species * species : 3 * 4 + 8;
   }
+  /// Per cell: windows of particles and of pairs, and the product of factors.
+  double bytes_of_expected_pairs() const {
+    if (parameters_.pair_count != PairCount::expected) return 0;
+    const auto species = static_cast<double>(std::max<std::size_t>(parameters_.kinds.species.size(), 1));
+    return 12 * species + 12 * species * (species + 1) + 8;
+  }
+  double bytes_of_partners() const {
+    if (parameters_.partners != Partners::contact) return 0;
+    return 4 + sizeof(VelocityBox<D>) +
+           (parameters_.kinds.mixed() ? 4.0 * static_cast<double>(parameters_.kinds.species.size()) : 0);
+  }
 
   /// The contact factor reads its density from a window.
   bool reads_window() const { return parameters_.factor.formula != nullptr && parameters_.factor.smoothed; }
@@ -144,14 +155,14 @@ class Builder final : public MethodBuilder<D> {
   }
 
   double bytes_per_particle(double particles) const {
-    const double per_cell = 8 + bytes_of_factor() + (parameters_.pair_count == PairCount::expected ? 44 : 0) +
+    const double per_cell = 8 + bytes_of_factor() + bytes_of_expected_pairs() +
                             (parameters_.pair_count == PairCount::time_counter ? 8 : 0) +
-                            (parameters_.partners == Partners::contact ? 4 + sizeof(VelocityBox<D>) : 0) +
-                            (cells_.volumes().empty() ? 0 : 8 + 8) +
+                            bytes_of_partners() + (cells_.volumes().empty() ? 0 : 8 + 8) +
                             (parameters_.weights.empty() ? 0 : 8 + 8);
     return 2 * sizeof(Phase<D>) + sizeof(typename ParticleStore<D>::Place) + (scene_.output.ids ? 16 : 0) +
-           (parameters_.kinds.mixed() ? 2 : 0) + (parameters_.kinds.rough ? 2 * sizeof(Spin<D>) : 0) +
-           (parameters_.weights.empty() ? 0 : 16) + (parameters_.excluded_volume.any() ? 5 : 0) +
+           (parameters_.kinds.mixed() ? parameters_.partners == Partners::contact ? 6 : 2 : 0) +
+           (parameters_.kinds.rough ? 2 * sizeof(Spin<D>) : 0) + (parameters_.weights.empty() ? 0 : 16) +
+           (parameters_.excluded_volume.any() ? 5 : 0) +
            (per_cell + (parameters_.excluded_volume.any() ? 26 + 16 * D : 0)) * cells_.size() / particles;
   }
 
@@ -222,7 +233,7 @@ class Builder final : public MethodBuilder<D> {
 
   /// How to get more particles into a cell, or to do without.
   const char* remedy(bool wide) const {
-    if (parameters_.partners == Partners::contact || parameters_.kinds.mixed())
+    if (parameters_.partners == Partners::contact)
       return wide ? " by a lower 'method.weight'" : ", or lower 'method.weight'";
     return wide ? " by a lower 'method.weight', or pair-count = \"expected\""
                 : ", or pair-count = \"expected\"";

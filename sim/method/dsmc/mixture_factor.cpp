@@ -9,9 +9,11 @@ namespace sandglass::dsmc {
 template <int D>
 MixtureContactFactor<D>::MixtureContactFactor(const Parameters& parameters, const LatticeOfCells<D>& cells,
                                               const std::array<bool, D>& periodic, double particles)
-    : dimension_(parameters.factor.dimension),
+    : dense_(parameters.factor.formula != nullptr),
+      dimension_(parameters.factor.dimension),
       smoothed_(parameters.factor.smoothed),
       of_largest_(parameters.faults.contact_of_largest),
+      fewest_(parameters.partners == Partners::contact ? 0 : 2),
       densest_(densest_fraction(D)),
       largest_(cells.size()) {
   const int half_width = smoothed_ ? static_cast<int>(window_cells(parameters, cells, particles) / 2) : 0;
@@ -20,20 +22,23 @@ MixtureContactFactor<D>::MixtureContactFactor(const Parameters& parameters, cons
     crowding_.push_back(crowding_of(D, kind.diameter) * (parameters.weight / cells.grid().cell_volume()));
     windows_.emplace_back(cells, periodic, half_width);
   }
+  if (parameters.pair_count == PairCount::expected) expected_.emplace(parameters, cells, periodic, particles);
   shares_.assign(cells.size() * diameters_.size() * diameters_.size(), 1);
 }
 
 template <int D>
 void MixtureContactFactor<D>::set_volumes(std::span<const double> volumes) {
   for (WindowSum<D>& window : windows_) window.set_volumes(volumes);
+  if (expected_) expected_->set_volumes(volumes);
 }
 
 template <int D>
 void MixtureContactFactor<D>::update(std::span<const std::uint32_t> offsets, const SharedCells& work,
                                      const std::uint8_t* species) {
   count(offsets, work, species);
+  if (expected_) expected_->update(offsets, work, species);
   for (std::uint32_t cell = work.first(); cell < work.last(); ++cell)
-    if (offsets[cell + 1] - offsets[cell] > 1) update_cell(cell);
+    if (offsets[cell + 1] - offsets[cell] >= fewest_) update_cell(cell);
 }
 
 template <int D>
@@ -65,9 +70,15 @@ void MixtureContactFactor<D>::update_cell(std::uint32_t cell) {
     shares[i] = of_largest_ || largest == 0 ? 1 : shares[i] / largest;
 }
 
-/// Smoothed: without the pair itself, and less what the scatter of Poisson counts adds to a convex function.
 template <int D>
 double MixtureContactFactor<D>::of_pair(std::uint32_t cell, std::size_t first, std::size_t second) const {
+  const double value = dense_ ? contact(cell, first, second) : 1;
+  return expected_ ? value * expected_->factor(cell, first, second, value) : value;
+}
+
+/// Smoothed: without the pair itself, and less what the scatter of Poisson counts adds to a convex function.
+template <int D>
+double MixtureContactFactor<D>::contact(std::uint32_t cell, std::size_t first, std::size_t second) const {
   const double cells = windows_.front().cells(cell);
   const auto others = [&](std::size_t kind) {
     const double taken = smoothed_ ? (kind == first) + (kind == second) : 0;
@@ -89,7 +100,8 @@ template <int D>
 std::size_t MixtureContactFactor<D>::bytes() const {
   std::size_t windows = 0;
   for (const WindowSum<D>& window : windows_) windows += window.bytes();
-  return windows + (largest_.capacity() + shares_.capacity()) * sizeof(double);
+  return windows + (expected_ ? expected_->bytes() : 0) +
+         (largest_.capacity() + shares_.capacity()) * sizeof(double);
 }
 
 template class MixtureContactFactor<2>;

@@ -1,18 +1,20 @@
 #pragma once
 
-#include "sim/method/dsmc/parameters.hpp"
+#include "sim/method/dsmc/expected_pairs.hpp"
 #include "sim/physics/mixture_contact_value.hpp"
 #include "sim/space/window_sum.hpp"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace sandglass::dsmc {
 
 /// Contact factors of every cell of a mixture, one for each pair of species, from the local densities of all species: what
-/// LocalContactFactor is for one, and free of the same two biases.
+/// LocalContactFactor is for one, and free of the same two biases. Where the pairs of a cell are those expected by chance,
+/// times their factor.
 template <int D>
 class MixtureContactFactor {
  public:
@@ -33,14 +35,18 @@ class MixtureContactFactor {
   void count(std::span<const std::uint32_t> offsets, const SharedCells& work, const std::uint8_t* species);
   void update_cell(std::uint32_t cell);
   double of_pair(std::uint32_t cell, std::size_t first, std::size_t second) const;
+  double contact(std::uint32_t cell, std::size_t first, std::size_t second) const;
 
-  int dimension_;  ///< of the formula
+  bool dense_;     ///< there is a formula
+  int dimension_;  ///< of it
   bool smoothed_;
-  bool of_largest_;  ///< planted fault: all pairs have the largest
+  bool of_largest_;       ///< planted fault: all pairs have the largest
+  std::uint32_t fewest_;  ///< particles of a cell whose factors anybody reads
   double densest_;
   std::vector<double> diameters_;
   std::vector<Crowding> crowding_;     ///< of one particle of each species in one whole cell
   std::vector<WindowSum<D>> windows_;  ///< particles of each species
+  std::optional<ExpectedPairsOfSpecies<D>> expected_;
   std::vector<double> largest_, shares_;
 };
 

@@ -25,17 +25,18 @@ std::array<bool, D> all_periodic() {
   return periodic;
 }
 
-/// Two small particles for one large, dropped at random into cells of volume one.
+/// One large particle in so many, dropped at random into cells of volume one.
 struct Dropped {
   std::vector<std::uint32_t> offsets{0};
   std::vector<std::uint8_t> species;
 };
 
-Dropped drop(std::uint32_t particles, std::uint32_t cells, std::uint64_t number) {
+Dropped drop(std::uint32_t particles, std::uint32_t cells, std::uint64_t number,
+             std::uint32_t one_large_in = 3) {
   Random random(StreamKey(9, Purpose::positions, 0, number), 0);
   std::vector<std::vector<std::uint8_t>> held(cells);
   for (std::uint32_t i = 0; i < particles; ++i)
-    held[static_cast<std::size_t>(cells * random.uniform())].push_back(i % 3 == 0);
+    held[static_cast<std::size_t>(cells * random.uniform())].push_back(i % one_large_in == 0);
   Dropped all;
   for (const auto& cell : held) {
     all.species.insert(all.species.end(), cell.begin(), cell.end());
@@ -137,6 +138,48 @@ TEST(MixtureContactFactor, FaultGivesAllPairsTheLargest) {
   const Dropped dropped = drop(10 * grid.size(), grid.size(), 0);
   factor.update(dropped.offsets, all_cells(dropped.offsets), dropped.species.data());
   for (std::size_t pair = 0; pair < 4; ++pair) EXPECT_EQ(factor.shares()[pair], 1);
+}
+
+/// Ordered pairs of two species times their factor, over those that chance puts into a cell, less one.
+template <int D>
+Mean bias_of_expected(std::uint8_t first, std::uint8_t second, std::uint32_t one_large_in) {
+  Parameters parameters = mixture<D>(2, 0.2, 4);
+  parameters.factor = {};
+  parameters.pair_count = PairCount::expected;
+  parameters.offset.consistent = 1;
+  const Grid<D> grid = many_cells<D>();
+  const std::uint32_t cells = grid.size(), particles = 4 * cells;
+  MixtureContactFactor<D> factor(parameters, grid, all_periodic<D>(), particles);
+  const double large = std::ceil(particles / static_cast<double>(one_large_in));
+  const std::array<double, 2> number{particles - large, large};
+  const double by_chance = number[first] * (number[second] - (first == second)) / cells;
+  std::vector<double> biases;
+  for (std::uint64_t draw = 0; draw < 40; ++draw) {
+    const Dropped all = drop(particles, cells, draw, one_large_in);
+    factor.update(all.offsets, all_cells(all.offsets), all.species.data());
+    double sum = 0;
+    for (std::uint32_t cell = 0; cell < cells; ++cell) {
+      std::array<double, 2> held{};
+      for (std::uint32_t i = all.offsets[cell]; i < all.offsets[cell + 1]; ++i) ++held[all.species[i]];
+      sum += held[first] * (held[second] - (first == second)) * factor.values()[cell] *
+             factor.shares()[4 * cell + 2 * first + second];
+    }
+    biases.push_back(sum / by_chance - 1);
+  }
+  return mean_of_independent(biases);
+}
+
+/// Exact for common species. Of rare ones the pairs of all say how many are missing, here none: 4.5 standard errors.
+TEST(MixtureContactFactor, ExpectsThePairsOfChance) {
+  for (const auto& [first, second] : {std::array<std::uint8_t, 2>{0, 0}, {0, 1}, {1, 1}})
+    for (const std::uint32_t one_large_in : {3u, 50u})
+      for (const Mean& bias : {bias_of_expected<2>(first, second, one_large_in),
+                               bias_of_expected<3>(first, second, one_large_in)}) {
+        const bool rare = first == 1 && second == 1 && one_large_in == 50;
+        EXPECT_LT(bias.standard_error, rare ? 0.06 : 0.01);
+        EXPECT_NEAR(bias.value, 0, 0.002 + 4.5 * bias.standard_error)
+            << int{first} << int{second} << ", one in " << one_large_in;
+      }
 }
 
 }  // namespace

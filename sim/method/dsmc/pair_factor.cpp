@@ -6,13 +6,13 @@ template <int D>
 PairFactor<D>::PairFactor(const Parameters& parameters, const LatticeOfCells<D>& cells,
                           const std::array<bool, D>& periodic, double particles)
     : volumes_(cells.volumes()) {
-  if (parameters.factor.formula != nullptr) {
-    if (parameters.kinds.mixed())
-      mixture_.emplace(parameters, cells, periodic, particles);
-    else
-      contact_.emplace(parameters, cells, periodic, particles);
+  if (parameters.kinds.mixed()) {
+    if (has_factors_of_species(parameters)) mixture_.emplace(parameters, cells, periodic, particles);
+  } else {
+    if (parameters.factor.formula != nullptr) contact_.emplace(parameters, cells, periodic, particles);
+    if (parameters.pair_count == PairCount::expected)
+      expected_.emplace(parameters, cells, periodic, particles);
   }
-  if (parameters.pair_count == PairCount::expected) expected_.emplace(parameters, cells, periodic, particles);
   if (expected_ || !volumes_.empty()) product_.resize(cells.size());
 }
 

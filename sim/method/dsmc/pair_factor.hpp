@@ -38,10 +38,10 @@ class PairFactor {
   }
 
   std::optional<LocalContactFactor<D>> contact_;
-  std::optional<MixtureContactFactor<D>> mixture_;  ///< instead of contact_
   std::optional<ExpectedPairs<D>> expected_;
-  std::span<const double> volumes_;  ///< as of LatticeOfCells
-  std::vector<double> product_;      ///< empty where there is but a contact factor
+  std::optional<MixtureContactFactor<D>> mixture_;  ///< instead of these two
+  std::span<const double> volumes_;                 ///< as of LatticeOfCells
+  std::vector<double> product_;                     ///< empty where there is but a contact factor
 };
 
 extern template class PairFactor<2>;

@@ -111,4 +111,10 @@ struct Parameters {
   Faults faults;
 };
 
+/// Pairs of species have factors of their own, see DensePairs.
+inline bool has_factors_of_species(const Parameters& parameters) {
+  return parameters.kinds.mixed() &&
+         (parameters.factor.formula != nullptr || parameters.pair_count == PairCount::expected);
+}
+
 }  // namespace sandglass::dsmc

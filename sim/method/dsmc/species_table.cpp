@@ -40,6 +40,11 @@ double SpeciesTable<D>::largest(const std::uint8_t* species, std::uint32_t count
   return section(D, widest, second);
 }
 
+template <int D>
+double SpeciesTable<D>::largest(std::uint8_t species) const {
+  return section(D, widths_[species], 1);
+}
+
 template class SpeciesTable<2>;
 template class SpeciesTable<3>;
 

@@ -23,10 +23,13 @@ class SpeciesTable {
   explicit SpeciesTable(const Parameters& parameters);
 
   std::size_t index(std::uint8_t first, std::uint8_t second) const { return first * species_ + second; }
+  std::size_t species() const { return species_; }
   std::size_t pairs() const { return pairs_.size(); }
   const PairOfSpecies& pair(std::size_t index) const { return pairs_[index]; }
   /// Largest cross-section of a pair among these particles, at least two: that of the two widest.
   double largest(const std::uint8_t* species, std::uint32_t count) const;
+  /// The same of a particle of this species with any other.
+  double largest(std::uint8_t species) const;
 
  private:
   std::size_t species_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/base/vector.hpp"
+#include "sim/method/mixing/filled_rows.hpp"
 #include "sim/space/phase.hpp"
 
 #include <algorithm>
@@ -29,13 +30,13 @@ struct SupportParameters {
 /// squares overlap: then the particle rises.
 ///
 /// The squares stand in columns, by height, and a particle looks through those of its strip only: the listing looks
-/// through all.
+/// through all. Particles of a column are taken by height too, so that what lies below them only grows.
 class Support {
  public:
   explicit Support(const SupportParameters& parameters);
   /// Takes the particles of a step.
   void prepare(std::span<const Phase<2>> particles);
-  double share(std::size_t particle);
+  double share(std::size_t particle) const { return shares_[particle]; }
   std::size_t bytes() const;
 
  private:
@@ -45,29 +46,50 @@ class Support {
   };
   struct Strip {
     double left, right, top;
-    std::uint32_t rows;  ///< that must not be empty
+    std::uint32_t rows;       ///< that must not be empty
+    std::size_t first, last;  ///< columns with squares that may reach into it
+  };
+  /// Squares of a column from its first one on, for the particle at work.
+  struct Below {
+    std::size_t of = 0;  ///< whose particles are at work: a column, from 1 on
+    std::uint32_t
+        whole = 0,
+        end = 0;  ///< those that end below the top of the strip; all that begin there and are not higher
   };
 
   Square square_of(const Vector<2>& position, std::uint32_t particle) const;
   std::uint32_t row_of(double height) const;
   std::size_t column_of(double x) const;
-  void sort_columns();
-  /// Area of the squares in the strip that are not above the particle; nothing when a row is empty.
-  double area_below(std::size_t particle, const Strip& strip);
-  void mark_rows(const Square& square, const Strip& strip);
-  double low_edge(double height) const { return std::max(0.0, height - 0.5 * parameters_.diameter); }
-  double high_edge(double height) const {
-    return std::min(parameters_.box[1], height + 0.5 * parameters_.diameter);
+  void sort_into_columns(std::span<const Phase<2>> particles);
+  void take_apart();
+  Strip strip_of(const Square& square) const;
+  double share_of(const Square& square, std::size_t column);
+  void find_below(const Square& square, const Strip& strip, std::size_t own);
+  bool is_carried(const Square& square, const Strip& strip);
+  std::uint32_t count_filled(const Square& square, const Strip& strip, std::uint32_t from_row);
+  bool counts(const Square& square, const Square& other) const {
+    return other.particle != square.particle || parameters_.counts_itself;
   }
+  double area_below(const Square& square, const Strip& strip) const;
+  double add_whole(double area, std::uint32_t first, std::uint32_t last, const Strip& strip) const;
+  double width_in(const Square& square, const Strip& strip) const {
+    return std::min(square.x + radius_, strip.right) - std::max(square.x - radius_, strip.left);
+  }
+  double low_edge(double height) const { return std::max(0.0, height - radius_); }
+  double high_edge(double height) const { return std::min(parameters_.box[1], height + radius_); }
 
   SupportParameters parameters_;
+  double radius_;
   std::size_t columns_;
-  std::vector<Square> squares_;        ///< by column, then by height
-  std::vector<std::uint32_t> first_;   ///< of each column, and the end
-  std::vector<Vector<2>> positions_;   ///< as given
-  std::vector<std::uint64_t> marked_;  ///< by row: the search that found it filled last
+  std::uint32_t rows_above_;  ///< into which a square reaches down that stands above the strip
+  FilledRows filled_;
+  std::vector<Square> squares_;              ///< by column, then by height
+  std::vector<double> left_, right_, tall_;  ///< of each square: its edges, and how high it is
+  std::vector<std::uint32_t> first_;         ///< of each column, and the end
+  std::vector<Below> below_;                 ///< of each column
+  std::vector<std::uint64_t> marked_;        ///< by row: the search that found it filled last
   std::uint64_t search_ = 0;
-  std::uint32_t filled_ = 0;
+  std::vector<double> shares_;
 };
 
 }  // namespace sandglass::mixing

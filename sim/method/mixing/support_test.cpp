@@ -77,6 +77,10 @@ TEST(Support, IsThatOfTheListing) {
   expect_twin({{300, 40}, 7, 3, 9, 0}, 200, 3);         // squares wider than a strip is long
   expect_twin({{10, 100}, 1, 30, 8, 1e-3}, 50, 4);      // one block wide, squares higher than a row
   expect_twin({{100, 100}, 200, 2, 1, 1e-3}, 2000, 5);  // strips narrower than a square
+  expect_twin({{200, 200}, 3, 130, 7, 1e-3}, 1000, 6);  // more rows than a word has bits, none of them empty
+  expect_twin({{200, 200}, 20, 130, 7, 1e-3}, 1000, 7);
+  expect_twin({{200, 200}, 30, 1, 7, 1e-3}, 500, 8);      // one row
+  expect_twin({{100, 100}, 2, 100000, 5, 1e-3}, 200, 9);  // too many rows for fine columns
 }
 
 /// Centres and edges on the boundaries of rows and columns.

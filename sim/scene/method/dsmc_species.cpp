@@ -29,8 +29,10 @@ class Choices {
 };
 
 void check_mixture(const Scene& scene, const DsmcOptions& dsmc, Choices& choices, Diagnostics& diagnostics) {
-  choices.allow(dsmc.pair_count != PairCount::expected, "pair-count", "counted",
-                "the pairs that chance would put into a cell are those of one species");
+  choices.allow(
+      dsmc.excluded_volume == ExcludedVolume::none, "excluded-volume", "none",
+      "how dense a mixture packs changes with what a cell holds, and whom a cell lets in that has room "
+      "for a small particle and none for a large one would decide by itself how the species part");
   if (!scene.sources.empty() && diagnostics.clean("source"))
     diagnostics.report("source", "'source' pours one species: remove it or the further [[species]]");
   if (scene.initial.positions == Positions::barometric && diagnostics.clean("initial.positions"))
@@ -38,12 +40,11 @@ void check_mixture(const Scene& scene, const DsmcOptions& dsmc, Choices& choices
                        "positions = \"barometric\" knows one mass: use \"random\" with several species");
 }
 
-/// What collides in another way than by pairs of a cell.
-void check_collisions(const DsmcOptions& dsmc, Choices& choices) {
-  choices.allow(dsmc.excluded_volume == ExcludedVolume::none, "excluded-volume", "none",
-                "full cells collide as a whole, as smooth particles of one species");
-  choices.allow(dsmc.partners == Partners::cell, "partners", "cell",
-                "partners a diameter away are smooth and of one species");
+void check_rough(const DsmcOptions& dsmc, Choices& choices) {
+  choices.allow(dsmc.partners == Partners::cell, "partners", "cell", "partners a diameter away are smooth");
+}
+
+void check_impacts(const DsmcOptions& dsmc, Choices& choices) {
   choices.allow(dsmc.impact == ImpactDistribution::uniform, "impact", "uniform",
                 "the fitted distribution is that of smooth particles of one species");
 }
@@ -56,10 +57,12 @@ void check_kinds(const Scene& scene, const DsmcOptions& dsmc, Diagnostics& diagn
   if (scene.species.size() > 1) {
     Choices choices("several species", diagnostics);
     check_mixture(scene, dsmc, choices, diagnostics);
-    check_collisions(dsmc, choices);
-  } else if (is_rough(scene)) {
+    check_impacts(dsmc, choices);
+  }
+  if (is_rough(scene)) {
     Choices choices("rough contacts", diagnostics);
-    check_collisions(dsmc, choices);
+    check_rough(dsmc, choices);
+    check_impacts(dsmc, choices);
   }
 }
 
