@@ -4,6 +4,8 @@
 #include "sim/motion/open_locator.hpp"
 #include "sim/motion/stream_index.hpp"
 
+#include <span>
+
 namespace sandglass::motion {
 
 /// The loop over the particles of each cell: a `Flight` looks where one would end, and flies it there if it may.
@@ -25,7 +27,9 @@ class EntryKernel final : public EntryStage<D> {
   std::uint64_t fly(const auto locator, ParticleStore<D>& store, std::uint32_t first, std::uint32_t last,
                     const MotionStep& step, const CellEntries& entries) const {
     const auto offsets = store.offsets();
-    const Flight flight(surroundings_, store, step);
+    // The second pair is for calls: nobody sees the first, which therefore stays in registers.
+    const Flight flight(surroundings_, store, step), other_flight(flight);
+    const auto other_locator = locator;
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();
@@ -42,18 +46,17 @@ class EntryKernel final : public EntryStage<D> {
         if (free && (to == cell ? within : full[to] == 0 && !draws)) [[likely]]
           flight.template fly_free<Counts>(particles[i], arrived);
         else
-          to = fly_or_stay(flight, locator, store, i, cell, entries, refused);
+          to = fly_or_stay(other_flight, other_locator, store, i, cell, entries, refused);
         places[i] = {to, arrivals[to]++};
       }
     }
     return refused;
   }
 
-  /// Whatever the path meets and the entry asks; the answer is the cell where it ends. Apart, and with a flight and locator
-  /// of its own: those of the loop stay in registers. A flight with bounces, hundreds for who rests on a floor, is not flown
-  /// again unless something counts them. A look changes spins at rough surfaces.
+  /// Whatever the path meets and the entry asks; the answer is the cell where it ends. A flight with bounces, hundreds for
+  /// who rests on a floor, is not flown again unless something counts them. A look changes spins at rough surfaces.
   template <class Locator>
-  [[gnu::noinline]] std::uint32_t fly_or_stay(const Flight flight, const Locator locator,
+  [[gnu::noinline]] std::uint32_t fly_or_stay(const Flight& flight, const Locator& locator,
                                               ParticleStore<D>& store, std::uint32_t i, std::uint32_t cell,
                                               const CellEntries& entries, std::uint64_t& refused) const {
     Phase<D>& particle = store.phases()[i];
