@@ -4,6 +4,8 @@
 #include "sim/motion/open_locator.hpp"
 #include "sim/motion/stream_index.hpp"
 
+#include <span>
+
 namespace sandglass::motion {
 
 /// The loop over the particles of each cell: a `Flight` looks where one would end, and flies it there if it may. A flight
@@ -17,37 +19,43 @@ class EntryKernel final : public EntryStage<D> {
 
   std::uint64_t advance(ParticleStore<D>& store, std::uint32_t first, std::uint32_t last,
                         const MotionStep& step, const CellEntries& entries) const override {
-    return with_locator<Flight>(
-        store.cells(), [&](auto locator) { return fly(locator, store, first, last, step, entries); });
+    const std::span<Spin<D>> spins = store.column(column::spin<D>);
+    return with_locator<Flight>(store.cells(), [&](auto locator) {
+      return spins.empty() ? fly<false>(locator, store, spins, first, last, step, entries)
+                           : fly<true>(locator, store, spins, first, last, step, entries);
+    });
   }
 
  private:
-  std::uint64_t fly(const auto locator, ParticleStore<D>& store, std::uint32_t first, std::uint32_t last,
-                    const MotionStep& step, const CellEntries& entries) const {
+  /// `Spins`: particles have them.
+  template <bool Spins>
+  std::uint64_t fly(const auto locator, ParticleStore<D>& store, [[maybe_unused]] std::span<Spin<D>> spins,
+                    std::uint32_t first, std::uint32_t last, const MotionStep& step,
+                    const CellEntries& entries) const {
     const auto offsets = store.offsets();
     const Flight flight(surroundings_, store, step);
     Phase<D>* particles = store.phases().data();
     auto* places = store.places();
     std::uint32_t* arrivals = store.arrivals();
-    const std::span<Spin<D>> spins = store.column(column::spin<D>);
     std::uint64_t refused = 0;
     Phase<D> arrived = {};
     for (std::uint32_t cell = first; cell < last; ++cell) {
       const bool within = !entries.within_too || entries.full[cell] == 0;
       for (std::uint32_t i = offsets[cell]; i < offsets[cell + 1]; ++i) {
         bool bounded = false;
-        const Spin<D> spin = spins.empty() ? Spin<D>::Zero() : spins[i];
+        [[maybe_unused]] Spin<D> spin;
+        if constexpr (Spins) spin = spins[i];
         std::uint32_t to = locator.cell_of(flight.look(particles[i], i, arrived, bounded));
         if ((to == cell && within) || admits(entries, to, cell, i - offsets[cell])) {
           if (bounded && !Counts) {
             particles[i] = arrived;
           } else {
-            if (!spins.empty()) spins[i] = spin;
+            if constexpr (Spins) spins[i] = spin;
             flight.template fly<Counts>(particles[i], i);
           }
         } else {
           to = cell;
-          if (!spins.empty()) spins[i] = spin;
+          if constexpr (Spins) spins[i] = spin;
           ++refused;
           if (offsets_) store.cells().put_into(cell, particles[i].position);
         }
