@@ -33,6 +33,7 @@ std::vector<CheckInfo> join_families() {
                              knudsen_checks,
                              drag_checks,
                              column_checks,
+                             column_pressure_checks,
                              pipe_flow_checks,
                              pipe_wave_checks,
                              pipe_transport_checks,

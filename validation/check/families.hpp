@@ -26,6 +26,7 @@ std::vector<CheckInfo> bounce_checks();
 std::vector<CheckInfo> knudsen_checks();
 std::vector<CheckInfo> drag_checks();
 std::vector<CheckInfo> column_checks();
+std::vector<CheckInfo> column_pressure_checks();
 std::vector<CheckInfo> pipe_flow_checks();
 std::vector<CheckInfo> pipe_wave_checks();
 std::vector<CheckInfo> pipe_transport_checks();
