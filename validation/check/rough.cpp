@@ -2,6 +2,7 @@
 
 #include "sim/scene/method/capabilities.hpp"
 #include "validation/check/families.hpp"
+#include "validation/check/inertia.hpp"
 #include "validation/law/contact.hpp"
 #include "validation/law/enskog.hpp"
 
@@ -18,7 +19,7 @@ law::RoughGas rough_gas(const Subject& subject) {
   const Species& species = subject.species();
   const bool slides_freely = species.friction && *species.friction == 0;
   return {subject.dimension(), species.restitution, slides_freely ? -1 : species.tangential_restitution,
-          inertia_factor(species, subject.dimension())};
+          inertia_of(species, subject.dimension())};
 }
 
 double freedom_of_rotation(const Subject& subject) { return subject.dimension() == 2 ? 1 : 3; }
