@@ -130,9 +130,10 @@ Evidence collision_rate(const Subject& subject, const law::Arguments&) {
                               (course.time[i] - course.time[i - 1]) /
                               rate_at(subject, (temperature[i] + temperature[i - 1]) / 2));
   }
-  Evidence evidence = from_mean(pooled(ratios), 1);
-  evidence.budget.systematic = subject.missing_pairs() + 2 / subject.particles();
-  evidence.budget.reason = "pairs that an offset takes from a cell, (1-S)/N_c; 2/N";
+  const law::Bounded missing = subject.missing_pairs();
+  Evidence evidence = from_mean(pooled(ratios), 1 - missing.value);
+  evidence.budget.systematic = missing.bound + 2 / subject.particles();
+  evidence.budget.reason = "pairs that an offset takes from a cell, between the limits of pair_deficit; 2/N";
   return evidence;
 }
 Evidence energy_in_time(const Subject& subject, const law::Arguments& numbers) {
