@@ -18,6 +18,7 @@ Outcome broken(const Task& task, const std::string& reason, const Confidence& co
   outcome.run.variant = task.variant;
   outcome.run.point = task.point;
   outcome.run.seed = task.scene.run.seed;
+  outcome.run.scene = write_scene(task.scene);  // to run it again: there is no record
   outcome.checks = judge_broken(task, reason, confidence);
   return outcome;
 }
