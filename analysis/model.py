@@ -214,6 +214,7 @@ class Key:
 
     key: str
     family: str   # of methods; empty where no case has the key
+    used: bool    # some run says more than the default
     seen: bool
     trials: list[KeyTrial]
 

@@ -166,7 +166,7 @@ def mutant(mutation, check, caught):
 def key(name, family, *trials):
     made = [{"case": "equilibrium-gas", "variant": family, "point": "2d-dilute", "how": how, "check": check}
             for how, check in trials]
-    return {"key": name, "family": family, "seen": bool(trials) and bool(trials[-1][1]), "trials": made}
+    return {"key": name, "family": family, "used": bool(trials), "seen": bool(trials) and bool(trials[-1][1]), "trials": made}
 
 
 def documents():

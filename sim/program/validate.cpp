@@ -96,7 +96,8 @@ void print_mutants(const SuiteResult& result) {
 
 std::string trials_text(const KeyResult& key) {
   if (key.family.empty()) return "no case has it in this tier";
-  if (key.trials.empty()) return "nothing but its default, or cannot be changed alone";
+  if (!key.is_used) return "nothing but its default";
+  if (key.trials.empty()) return "cannot be changed alone";
   std::string text;
   for (const KeyTrial& trial : key.trials)
     text += fmt::format("{}{} in {}/{}/{}", text.empty() ? "" : ", ", trial.how, trial.case_name,

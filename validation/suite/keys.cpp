@@ -18,7 +18,7 @@
 namespace sandglass {
 
 namespace {
-constexpr std::size_t kCases = 3;
+constexpr std::size_t kCases = 6;
 
 /// A run as the case wants it, made once for all keys that need it.
 class HonestRun {
@@ -90,6 +90,7 @@ void try_key(KeyResult& result, const std::vector<RunWithKey>& uses) {
   {
     const auto lock = hold_off_new_processes();
     runs = chosen(uses, result.key);
+    result.is_used = !runs.empty();
   }
   for (const auto change : {scaled_key, dropped_key})
     for (HonestRun* run : runs) {
@@ -125,7 +126,7 @@ std::vector<KeyResult> try_keys(const std::vector<Task>& tasks, const KeyOptions
   }
   std::vector<KeyResult> results;
   std::vector<std::function<void()>> jobs;
-  for (const auto& [name, runs_of_key] : uses) results.push_back({name.first, name.second, {}});
+  for (const auto& [name, runs_of_key] : uses) results.push_back({name.first, name.second, false, {}});
   std::mutex counting;
   std::size_t done = 0;
   for (KeyResult& result : results)
@@ -136,7 +137,7 @@ std::vector<KeyResult> try_keys(const std::vector<Task>& tasks, const KeyOptions
     });
   run_in_parallel(options.jobs, jobs);
   for (const std::string& key : options.known)
-    if (reaches_method(key) && !is_written(key, written)) results.push_back({key, "", {}});
+    if (reaches_method(key) && !is_written(key, written)) results.push_back({key, "", false, {}});
   std::ranges::stable_sort(results, {}, &KeyResult::key);
   return results;
 }

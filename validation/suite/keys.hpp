@@ -21,8 +21,9 @@ struct KeyTrial {
 };
 
 struct KeyResult {
-  std::string key, family;
-  std::vector<KeyTrial> trials;  ///< empty: no run says more than the default
+  std::string key, family;       ///< no family: no case writes the key
+  bool is_used = false;          ///< some run says more than the default
+  std::vector<KeyTrial> trials;  ///< empty though it is used: it cannot be changed alone
   bool seen() const { return !trials.empty() && !trials.back().check.empty(); }
 };
 
@@ -36,8 +37,8 @@ struct KeyOptions {
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// For each key and method family of these runs, up to the first verdict that moves: the cheapest runs of three cases that
-/// say more than the default, the key 5% off; then the same runs with the key left out.
+/// For each key and method family of these runs, up to the first verdict that moves: the cheapest runs of six cases that say
+/// more than the default, the key 5% off; then the same runs with the key left out.
 std::vector<KeyResult> try_keys(const std::vector<Task>& tasks, const KeyOptions& options);
 
 }  // namespace sandglass

@@ -78,7 +78,9 @@ TEST(Keys, ThoseThatNoVerdictSeesAreListed) {
   EXPECT_EQ(result_of(results, "species.restitution").trials.back().check, "cooling-per-collision");
   EXPECT_FALSE(result_of(results, "domain.size").seen());  // energy lost per collision is the same in any box
   EXPECT_EQ(result_of(results, "domain.size").trials.size(), 1U);
-  EXPECT_TRUE(result_of(results, "species.mass").trials.empty());  // the default
+  EXPECT_FALSE(result_of(results, "species.mass").is_used);  // the default
+  EXPECT_TRUE(result_of(results, "domain.dimension").is_used);
+  EXPECT_TRUE(result_of(results, "domain.dimension").trials.empty());
   EXPECT_EQ(result_of(results, "wall.temperature").family, "");
   EXPECT_EQ(std::ranges::count(results, "run.seed", &KeyResult::key), 0);
 }

@@ -120,7 +120,11 @@ void write_keys(const std::string& folder, const std::vector<KeyResult>& keys) {
                         {"point", trial.point},
                         {"how", trial.how},
                         {"check", trial.check}});
-    json.push_back({{"key", key.key}, {"family", key.family}, {"seen", key.seen()}, {"trials", trials}});
+    json.push_back({{"key", key.key},
+                    {"family", key.family},
+                    {"used", key.is_used},
+                    {"seen", key.seen()},
+                    {"trials", trials}});
   }
   write_json(fs::path(folder) / "keys.json", json);
 }
