@@ -72,9 +72,9 @@ Shifts of_few(const law::Column& column, const Subject& subject) {
   return most;
 }
 
-/// Where particles have a size, the floor holds fewer.
+/// Where particles have a size, or partners are displaced by one, the floor holds fewer.
 double of_size(const law::Column& column, const Subject& subject) {
-  if (!touches(subject.scene())) return 0;
+  if (!touches(subject.scene()) && !loses_pairs(subject.scene())) return 0;
   const double excluded = law::excluded_fraction(subject.gas(1)) / free_share(subject);
   double most = 0;
   for (const double z : {0.0, column.height})
