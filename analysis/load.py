@@ -118,4 +118,6 @@ def load_report(folder, claims=None):
     mutants = [_plain(model.Mutant, item, verdict=item.one_of("verdict", VERDICTS))
                for item in _optional(folder, "mutants.json")]
     sweeps = [_sweep(item) for item in _optional(folder, "sweeps.json")]
-    return model.Report(list(verdicts.values()), cases, sweeps, mutants, _claims(claims))
+    keys = [_plain(model.Key, item, trials=[_plain(model.KeyTrial, trial) for trial in item["trials"]])
+            for item in _optional(folder, "keys.json")]
+    return model.Report(list(verdicts.values()), cases, sweeps, mutants, keys, _claims(claims))

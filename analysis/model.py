@@ -198,6 +198,28 @@ class Mutant:
 
 
 @dataclass(frozen=True)
+class KeyTrial:
+    """A run in which the method got a key wired wrongly."""
+
+    case: str
+    variant: str
+    point: str
+    how: str
+    check: str   # whose verdict then blocks; empty: none
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of scenes and what became of the verdicts when it was wired wrongly."""
+
+    key: str
+    family: str   # of methods; empty where no case has the key
+    used: bool    # some run says more than the default
+    seen: bool
+    trials: list[KeyTrial]
+
+
+@dataclass(frozen=True)
 class Claim:
     """A row of the ledger; its status is changed by hand, after a verdict."""
 
@@ -215,4 +237,5 @@ class Report:
     cases: list[Case]
     sweeps: list[Sweep] = field(default_factory=list)
     mutants: list[Mutant] = field(default_factory=list)
+    keys: list[Key] = field(default_factory=list)
     claims: list[Claim] = field(default_factory=list)

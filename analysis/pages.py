@@ -6,7 +6,7 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup
 
-from analysis import bar, claims, explain, frontier, markdown, summary, words
+from analysis import bar, claims, explain, frontier, markdown, sensitivity, summary, words
 from analysis.checks import split
 from analysis.flows import STANDINGS, flow_table
 from analysis.grid import grid
@@ -39,7 +39,7 @@ def environment(report, folder):
                           ratio=words.ratio, brief=words.brief, factor=words.factor, expectation=words.expectation, said=words.said,
                           capitalize_first=lambda text: text[:1].upper() + text[1:])
     result.globals.update(
-        report=report, summary=summary, looks=words.VERDICTS, good=words.GOOD, worst=words.worst,
+        report=report, sensitivity=sensitivity, summary=summary, looks=words.VERDICTS, good=words.GOOD, worst=words.worst,
         absent=words.ABSENT, claim_states=words.CLAIM_STATES,
         slug=words.slug, with_error=words.with_error, total=summary.total, budget_bar=bar.budget_bar,
         ledger_page=claims.page_name, claim_sources=list(claims.ledger(report)), claim_pages=_claim_pages(report),

@@ -163,6 +163,12 @@ def mutant(mutation, check, caught):
             "value": 1.05, "expected": 1.0, "budget": 0.004}
 
 
+def key(name, family, *trials):
+    made = [{"case": "equilibrium-gas", "variant": family, "point": "2d-dilute", "how": how, "check": check}
+            for how, check in trials]
+    return {"key": name, "family": family, "used": bool(trials), "seen": bool(trials) and bool(trials[-1][1]), "trials": made}
+
+
 def documents():
     """{file name: content} of the whole folder."""
     groups = [equilibrium(), cooling(), awkward()]
@@ -173,6 +179,9 @@ def documents():
                              mutant("cross-section-plus-5-percent", "momentum-conservation", False),
                              mutant("acceptance-inverted", "collision-rate", True),
                              mutant("offset-dropped", "haff", False)]
+    files["keys.json"] = [key("species.restitution", "dsmc", ("5% less", "haff")),
+                          key("method.random-offset", "dsmc", ("5% more", ""), ("left out", "")),
+                          key("wall.temperature", "")]
     return files
 
 

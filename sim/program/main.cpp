@@ -67,6 +67,9 @@ void add_judging(CLI::App& app, Options& options) {
   validate->add_option("-o,--output", options.output, "folder of the report (default: report)");
   validate->add_option("--seed", options.seed, "fresh seeds drawn from this one");
   validate->add_flag("--mutants", options.mutants, "plant faults and demand that the checks catch them");
+  validate
+      ->add_flag("--keys", options.keys, "wire each scene key wrongly and list those that no verdict sees")
+      ->excludes("--mutants");
   validate->add_flag("--json", options.json, "verdicts as JSON on standard output");
   validate->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
 }

@@ -22,7 +22,7 @@ struct Options {
   std::optional<std::uint64_t> seed;
   Communicator* ranks = nullptr;  ///< share the work; null: this process alone
   int jobs = 0;                   ///< 0: as many as there are cores
-  bool json = false, quiet = false, overwrite = false, mutants = false;
+  bool json = false, quiet = false, overwrite = false, mutants = false, keys = false;
 };
 
 /// Exit codes of every command.

@@ -1,10 +1,12 @@
 #include "sim/base/error.hpp"
 #include "sim/program/folders.hpp"
 #include "sim/program/options.hpp"
+#include "sim/program/scene_page.hpp"
 #include "sim/program/signals.hpp"
 #include "validation/suite/suite.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -17,6 +19,16 @@ namespace sandglass::program {
 
 namespace {
 
+/// "section.key" of every table of a scene.
+std::vector<std::string> known_keys() {
+  std::vector<std::string> keys;
+  for (const PageSection& section : read_scene_page(scene_page())) {
+    if (std::islower(static_cast<unsigned char>(section.name.front())) == 0) continue;  // no table
+    for (const KeyEntry& entry : section.keys) keys.push_back(section.name + "." + entry.key);
+  }
+  return keys;
+}
+
 SuiteOptions suite_options(const Options& options) {
   SuiteOptions suite;
   suite.case_folder = case_folder();
@@ -27,6 +39,8 @@ SuiteOptions suite_options(const Options& options) {
                                 : std::max(1u, std::thread::hardware_concurrency());
   if (!options.output.empty()) suite.output = options.output;
   suite.mutants = options.mutants;
+  suite.keys = options.keys;
+  if (options.keys) suite.known_keys = known_keys();
   suite.seed = options.seed;
   suite.stop = &stop_on_signal();
   return suite;
@@ -80,6 +94,28 @@ void print_mutants(const SuiteResult& result) {
   fmt::print("planted faults: {} of {} caught\n", caught, result.mutants.size());
 }
 
+std::string trials_text(const KeyResult& key) {
+  if (key.family.empty()) return "no case has it in this tier";
+  if (!key.is_used) return "nothing but its default";
+  if (key.trials.empty()) return "cannot be changed alone";
+  std::string text;
+  for (const KeyTrial& trial : key.trials)
+    text += fmt::format("{}{} in {}/{}/{}", text.empty() ? "" : ", ", trial.how, trial.case_name,
+                        trial.variant, trial.point);
+  return text;
+}
+
+void print_keys(const SuiteResult& result) {
+  if (result.keys.empty()) return;
+  for (const KeyResult& key : result.keys)
+    if (!key.seen()) fmt::print("unseen  {}  {}: {}\n", key.key, key.family, trials_text(key));
+  fmt::print("keys that a verdict sees: {} of {}\n", std::ranges::count_if(result.keys, &KeyResult::seen),
+             result.keys.size());
+}
+
+std::string json_file(const Options& options) {
+  return options.mutants ? "mutants.json" : options.keys ? "keys.json" : "verdicts.json";
+}
 }  // namespace
 
 int validate(const Options& options) {
@@ -87,10 +123,11 @@ int validate(const Options& options) {
   suite.progress = reporter(options.quiet);
   const SuiteResult result = run_suite(suite);
   if (options.json) {
-    print_file(suite.output + (options.mutants ? "/mutants.json" : "/verdicts.json"));
+    print_file(suite.output + "/" + json_file(options));
   } else if (!options.quiet) {
     print_verdicts(result);
     print_mutants(result);
+    print_keys(result);
   }
   return result.blocked() ? verdict_fails : all_well;
 }

@@ -4,6 +4,7 @@
 #include "sim/base/spelling.hpp"
 #include "sim/scene/method/capabilities.hpp"
 #include "validation/check/families.hpp"
+#include "validation/law/contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,7 @@ std::vector<CheckInfo> join_families() {
                              knudsen_checks,
                              drag_checks,
                              column_checks,
+                             column_pressure_checks,
                              pipe_flow_checks,
                              pipe_wave_checks,
                              pipe_transport_checks,
@@ -189,6 +191,16 @@ bool is_cooling(const Scene& scene) {
 
 bool is_guarded(const Scene& scene) {
   return loses_energy(scene) && guard_of(scene.method).kind == CollapseGuard::contact_time;
+}
+
+law::Parameter contact_number() {
+  return {
+      "contact-value", "1", "of the method, where it has none of its gas; 0: that of the gas", 0, 100, 0.0};
+}
+
+double contact_ratio(const Subject& subject, double contact_value) {
+  const law::Gas gas = subject.gas(1);
+  return contact_value > 0 ? contact_value / law::contact_value(gas.dimension, gas.fraction) : 1;
 }
 
 bool touches(const Scene& scene) { return capabilities(scene).contacts; }

@@ -35,19 +35,23 @@ Figure rate_figure(const std::vector<double>& time, const std::vector<double>& r
 law::Bounded enskog_rate(const law::Gas& gas) { return {law::collision_rate(gas), 0, 0}; }
 
 /// The measured rate against what `rate_of` makes of the gas at the run's own temperature.
-Evidence against(const Subject& subject, law::Bounded (*rate_of)(const law::Gas&)) {
+Evidence against(const Subject& subject, law::Bounded (*rate_of)(const law::Gas&),
+                 double factor_of_method = 1) {
   std::vector<std::vector<double>> rates;
   for (std::size_t replica = 0; replica < subject.replicas(); ++replica)
     rates.push_back(interval_rates(subject, replica));
   const Mean rate = pooled(rates);
   const law::Bounded theory = rate_of(subject.gas(subject.mean_temperature()));
-  const double factor = subject.pair_factor() * relative_speed_factor(subject.degrees_of_freedom());
+  const law::Bounded missing = subject.missing_pairs();
+  const double factor = subject.pair_factor() * relative_speed_factor(subject.degrees_of_freedom()) *
+                        (1 - missing.value) * factor_of_method;
   Evidence evidence = from_mean(rate, theory.value * factor);
   evidence.units = "1/time";
   evidence.budget.reference = theory.standard_error * factor;
-  evidence.budget.systematic = subject.missing_pairs() * evidence.expected + theory.bound * factor;
-  evidence.budget.reason = subject.missing_pairs() > 0 ? "pairs that an offset takes from a cell, (1-S)/N_c"
-                                                       : "finite N is part of the expectation";
+  evidence.budget.systematic = missing.bound * evidence.expected + theory.bound * factor;
+  evidence.budget.reason = missing.value > 0
+                               ? "pairs that an offset takes from a cell, between the limits of pair_deficit"
+                               : "finite N is part of the expectation";
   const double scatter = mean_of_independent(rates.front()).standard_error;
   evidence.figures.push_back(rate_figure(subject.series(0, "collisions").time, rates.front(),
                                          evidence.expected,
@@ -55,8 +59,8 @@ Evidence against(const Subject& subject, law::Bounded (*rate_of)(const law::Gas&
   return evidence;
 }
 
-Evidence collision_rate(const Subject& subject, const law::Arguments&) {
-  return against(subject, enskog_rate);
+Evidence collision_rate(const Subject& subject, const law::Arguments& numbers) {
+  return against(subject, enskog_rate, contact_ratio(subject, numbers.at("contact-value")));
 }
 
 Evidence reference_rate(const Subject& subject, const law::Arguments&) {
@@ -83,7 +87,7 @@ std::vector<CheckInfo> collision_checks() {
            "enskog-collision-rate",
            {"collisions", "temperature"},
            true,
-           {},
+           {contact_number()},
            is_equilibrium,
            collision_rate},
           {"collision-rate-reference",

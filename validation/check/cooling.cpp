@@ -41,14 +41,14 @@ std::vector<std::vector<double>> settled_rates(const Subject& subject, double se
 /// Relative error of a cooling rate from theory and finite size. Sonine: the closures of a2 differ, and its
 /// square is left out (the coefficients are those of the rate's own expansion, rounded up). N: moments of a
 /// sphere instead of a Gaussian, and fluctuations of the energy, 1/N each. Cell: two particles that share a
-/// cell of N_c collide again with probability 1/N_c before they part, slowed down by 1-r.
+/// cell of N_c collide again with probability 1/N_c before they part, slowed down by 1-r. Pairs that are missing from a
+/// cell make the rate smaller; as fast ones they would have lost more than others, by less than they are missing.
 double systematic_of_rate(const Subject& subject) {
   const double r = subject.species().restitution;
   const double a2 = law::sonine_a2(subject.dimension(), r);
   const double closure = std::abs(a2 - law::sonine_a2_relinearised(subject.dimension(), r));
   const double cell = subject.particles_per_cell();
-  return (closure + a2 * a2) / 4 + 2 / subject.particles() + (cell > 0 ? (1 - r) / cell : 0) +
-         subject.missing_pairs();
+  return (closure + a2 * a2) / 4 + 2 / subject.particles() + (cell > 0 ? (1 - r) / cell : 0);
 }
 
 /// Energy of stable shear waves is not heat: where they hold a share f of it, all of it is lost more slowly by that, and
@@ -108,10 +108,12 @@ Evidence haff_cooling(const Subject& subject, const law::Arguments& numbers) {
   evidence.value = 1 / rate.value;
   evidence.standard_error = rate.standard_error / (rate.value * rate.value);
   const double waves = 1.5 * half_of_shear_modes(subject);
-  const double scale =
-      law::haff_time_scale_sonine(subject.gas(subject.scene().initial.temperature)) * (1 + waves);
+  const law::Bounded missing = subject.missing_pairs();
+  const double scale = law::haff_time_scale_sonine(subject.gas(subject.scene().initial.temperature)) *
+                       (1 + waves) / (1 - missing.value) /
+                       contact_ratio(subject, numbers.at("contact-value"));
   evidence.expected = scale;
-  evidence.budget.systematic = scale * (evidence.budget.systematic + waves);
+  evidence.budget.systematic = scale * (evidence.budget.systematic + waves + missing.bound);
   const auto theory = [scale](double time) { return law::haff_energy_ratio(time, scale); };
   evidence.figures.push_back(energy_figure(subject, {"time", "time", true}, true, theory));
   return evidence;
@@ -127,7 +129,8 @@ Evidence cooling_per_collision(const Subject& subject, const law::Arguments& num
   const double a2 = law::sonine_a2(subject.dimension(), r), waves = half_of_shear_modes(subject);
   evidence.expected = (1 - r * r) / subject.dimension() * law::sonine_cooling_factor(a2) /
                       law::sonine_collision_factor(a2) * (1 - waves);
-  evidence.budget.systematic = evidence.expected * (evidence.budget.systematic + waves);
+  evidence.budget.systematic =
+      evidence.expected * (evidence.budget.systematic + waves + subject.missing_pairs().value);
   const auto theory = [&](double collisions) { return std::exp(-evidence.expected * collisions); };
   evidence.figures.push_back(energy_figure(subject, {"collisions per particle", "1", false}, false, theory));
   return evidence;
@@ -142,7 +145,7 @@ std::vector<CheckInfo> cooling_checks() {
            "haff-time-scale-sonine",
            {"energy", "collisions"},
            true,
-           {settle},
+           {settle, contact_number()},
            is_cooling,
            haff_cooling},
           {"cooling-per-collision",

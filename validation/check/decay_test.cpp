@@ -1,6 +1,7 @@
 #include "validation/check/synthetic.hpp"
 #include "validation/law/enskog.hpp"
 #include "validation/law/haff.hpp"
+#include "validation/law/pair_deficit.hpp"
 #include "validation/law/sonine.hpp"
 #include "validation/law/transport.hpp"
 
@@ -22,8 +23,10 @@ Record cooling_record(double error) {
   const GasScene scene{.restitution = 0.8};
   Record record = record_of(scene, 3);
   const double a2 = law::sonine_a2(2, 0.8);
-  const double time_scale = law::haff_time_scale_sonine(scene.gas()) / (1 + error);
-  const double rate = law::collision_rate(scene.gas()) * law::sonine_collision_factor(a2);
+  const double edge = std::sqrt(1000 * std::numbers::pi / scene.area_fraction) / 4;  // of four cells
+  const double missing = law::pair_deficit(scene.gas(), {250, edge, 1, 4}).value;
+  const double time_scale = law::haff_time_scale_sonine(scene.gas()) / (1 - missing) / (1 + error);
+  const double rate = law::collision_rate(scene.gas()) * law::sonine_collision_factor(a2) * (1 - missing);
   for (std::size_t replica = 0; replica < 3; ++replica) {
     add_series(record, replica, "energy", {});
     add_series(record, replica, "collisions", {});

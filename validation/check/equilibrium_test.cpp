@@ -66,13 +66,16 @@ TEST(Compressibility, SeesTheEquationOfStateAndADroppedOffset) {
   EXPECT_GT(significance(compressibility_of(1, -0.1)), 10);
 }
 
-TEST(Compressibility, BudgetKnowsTheMissingPairs) {
-  // By hand: d(nu Z)/dnu of disks at nu = 0.25 is 1 + 4 nu g + 2 nu^2 dg/dnu = 1 + 19/12 + 31/72; 250
-  // particles a cell.
+TEST(Compressibility, MissingPairsAreExpected) {
+  // By hand, all waves as long ones: d(nu Z)/dnu of disks at nu = 0.25 is 1 + 4 nu g + 2 nu^2 dg/dnu = 1 + 19/12 + 31/72;
+  // 250 particles in each of four cells, which are their own windows: 1 + 2 nu g'/g + nu^2 g''/(2g) = 2.3396.
   const double inverse_structure = 1 + 19.0 / 12 + 31.0 / 72;
+  const double most = 3.0 / 4 * (1 - 1 / inverse_structure) * 2.3396 / 250;
   const Evidence evidence = compressibility_of(1, 0);
-  const double of_collisional_part = evidence.budget.systematic / (evidence.expected - 1) * 999 / 1000;
-  EXPECT_NEAR(of_collisional_part, (1 - 1 / inverse_structure) / 250, 1e-9);
+  const double all = (law::compressibility_factor(GasScene{}.gas()) - 1) * 0.999;
+  const double bound = evidence.budget.systematic * 0.999 / all;
+  EXPECT_NEAR(1 - (evidence.expected - 1) / all + bound, most, 1e-6);
+  EXPECT_GT(bound, 0.1 * most);
 }
 
 /// A dense gas of event-driven disks whose rate is that of the reference contact value times 1 + error.
@@ -124,7 +127,8 @@ TEST(CompressibilityReference, DiffersFromHendersonByItsError) {
     for (int i = 0; i < 5; ++i) add_sample(series, i, {1, 0.79 + 0.001 * static_cast<double>(replica), 1.8});
   }
   const double expected = run_check(find_check("compressibility-reference"), record, {}).expected;
-  EXPECT_NEAR(expected, 1 + 0.5 * law::virial_contact_value(2, 0.25) * 0.999, 2e-4);
+  const double seen = (evidence.expected - 1) / (law::compressibility_factor(GasScene{}.gas()) - 1);
+  EXPECT_NEAR(expected, 1 + 0.5 * law::virial_contact_value(2, 0.25) * seen, 2e-4);
   EXPECT_NE(expected, evidence.expected);
 }
 

@@ -26,6 +26,7 @@ std::vector<CheckInfo> bounce_checks();
 std::vector<CheckInfo> knudsen_checks();
 std::vector<CheckInfo> drag_checks();
 std::vector<CheckInfo> column_checks();
+std::vector<CheckInfo> column_pressure_checks();
 std::vector<CheckInfo> pipe_flow_checks();
 std::vector<CheckInfo> pipe_wave_checks();
 std::vector<CheckInfo> pipe_transport_checks();
@@ -65,6 +66,10 @@ bool is_cooling(const Scene& scene);
 /// A handful of given particles without walls, forces or guard.
 bool is_few_bodies(const Scene& scene);
 /// Cooling under the TC model.
+/// What a method without contact value has in its place, as a number of a check; 0: that of the gas.
+law::Parameter contact_number();
+/// That over the contact value of the gas.
+double contact_ratio(const Subject& subject, double contact_value);
 bool is_guarded(const Scene& scene);
 /// Particles have a surface and collide where it touches.
 bool touches(const Scene& scene);

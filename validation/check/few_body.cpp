@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "validation/check/families.hpp"
 #include "validation/check/few_body_frames.hpp"
+#include "validation/check/inertia.hpp"
 #include "validation/check/worst.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ std::vector<law::Ball> balls_of(const Scene& scene) {
     const double radius = species.diameter / 2;
     law::Ball ball{species.mass,
                    radius,
-                   inertia_factor(species, scene.domain.dimension) * species.mass * radius * radius,
+                   inertia_of(species, scene.domain.dimension) * species.mass * radius * radius,
                    in_space(particle.position),
                    in_space(particle.velocity),
                    spin_in_space(particle.spin)};

@@ -19,11 +19,6 @@ law::Gas gas_of(const Scene& scene) {
           scene.initial.temperature, fraction(scene, species), species.restitution};
 }
 
-bool is_still(const Wall& wall) {
-  return wall.amplitude == 0 &&
-         std::all_of(wall.velocity.begin(), wall.velocity.end(), [](double v) { return v == 0; });
-}
-
 [[noreturn]] void too_short(const std::string& quantity, double from) {
   throw InputError(
       fmt::format("no sample of '{}' from time {} on: run longer, sample more often or lower 'settle-time'",
@@ -67,6 +62,11 @@ Wall wall_at(const Scene& scene, std::size_t axis, bool high) {
   for (const Wall& wall : scene.walls)
     if (wall.axis == static_cast<int>(axis) && wall.high == high) return wall;
   return {};
+}
+
+bool is_still(const Wall& wall) {
+  return wall.amplitude == 0 &&
+         std::all_of(wall.velocity.begin(), wall.velocity.end(), [](double v) { return v == 0; });
 }
 
 bool is_thermal_at_rest(const Wall& wall) {

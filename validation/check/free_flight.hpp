@@ -21,6 +21,7 @@ int vertical_axis(const Scene& scene);
 bool is_periodic_along(const Scene& scene, std::size_t axis);
 /// What [[wall]] says of the side, or a plain mirror.
 Wall wall_at(const Scene& scene, std::size_t axis, bool high);
+bool is_still(const Wall& wall);
 /// The wall stands still and is thermal.
 bool is_thermal_at_rest(const Wall& wall);
 /// The wall stands still and is a smooth, elastic mirror.

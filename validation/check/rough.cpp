@@ -2,6 +2,7 @@
 
 #include "sim/scene/method/capabilities.hpp"
 #include "validation/check/families.hpp"
+#include "validation/check/inertia.hpp"
 #include "validation/law/contact.hpp"
 #include "validation/law/enskog.hpp"
 
@@ -18,7 +19,7 @@ law::RoughGas rough_gas(const Subject& subject) {
   const Species& species = subject.species();
   const bool slides_freely = species.friction && *species.friction == 0;
   return {subject.dimension(), species.restitution, slides_freely ? -1 : species.tangential_restitution,
-          inertia_factor(species, subject.dimension())};
+          inertia_of(species, subject.dimension())};
 }
 
 double freedom_of_rotation(const Subject& subject) { return subject.dimension() == 2 ? 1 : 3; }
@@ -129,9 +130,10 @@ Evidence collision_rate(const Subject& subject, const law::Arguments&) {
                               (course.time[i] - course.time[i - 1]) /
                               rate_at(subject, (temperature[i] + temperature[i - 1]) / 2));
   }
-  Evidence evidence = from_mean(pooled(ratios), 1);
-  evidence.budget.systematic = subject.missing_pairs() + 2 / subject.particles();
-  evidence.budget.reason = "pairs that an offset takes from a cell, (1-S)/N_c; 2/N";
+  const law::Bounded missing = subject.missing_pairs();
+  Evidence evidence = from_mean(pooled(ratios), 1 - missing.value);
+  evidence.budget.systematic = missing.bound + 2 / subject.particles();
+  evidence.budget.reason = "pairs that an offset takes from a cell, between the limits of pair_deficit; 2/N";
   return evidence;
 }
 Evidence energy_in_time(const Subject& subject, const law::Arguments& numbers) {

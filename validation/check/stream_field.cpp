@@ -3,6 +3,7 @@
 #include "sim/base/error.hpp"
 #include "sim/scene/method/capabilities.hpp"
 #include "validation/check/free_flight.hpp"
+#include "validation/check/inertia.hpp"
 #include "validation/law/contact.hpp"
 #include "validation/law/enskog.hpp"
 
@@ -147,7 +148,7 @@ double inflow_mean_free_path(const Subject& subject) {
 law::CoolingStream cooling_stream_of(const Subject& subject) {
   const Inflow& inflow = subject.scene().inflows.front();
   const Species& species = subject.species();
-  return {{3, species.restitution, species.tangential_restitution, inertia_factor(species, 3)},
+  return {{3, species.restitution, species.tangential_restitution, inertia_of(species, 3)},
           species.mass,
           inflow.velocity[0],
           {inflow.temperature, inflow.spin_temperature},

@@ -1,10 +1,12 @@
 #include "validation/check/subject.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/packing.hpp"
 #include "sim/base/spelling.hpp"
 #include "sim/scene/method/capabilities.hpp"
 #include "validation/check/finite_size.hpp"
 #include "validation/law/enskog.hpp"
+#include "validation/law/pair_deficit.hpp"
 #include "validation/law/state.hpp"
 
 #include <algorithm>
@@ -52,9 +54,18 @@ double Subject::collisions_per_step() const {
   return scene_.method.time_step.fixed.value_or(0) * law::collision_rate(gas(scene_.initial.temperature));
 }
 
-double Subject::missing_pairs() const {
-  if (!loses_pairs(scene_) || particles_per_cell() == 0) return 0;
-  return (1 - law::long_wave_structure(gas(1))) / particles_per_cell();
+law::Bounded Subject::missing_pairs() const {
+  const double per_cell = particles_per_cell(), cells = particles_ / per_cell;
+  if (!loses_pairs(scene_) || per_cell == 0) return {};
+  if (has_full_cells(scene_) && fraction(scene_, species()) >= freezing_fraction(dimension())) {
+    const double most = (1 - law::long_wave_structure(gas(1))) / per_cell;
+    return {most / 2, 0, most / 2};
+  }
+  const double edge = std::pow(volume(scene_.domain) / cells, 1.0 / dimension());
+  const law::Bounded part = law::pair_deficit(gas(1), {per_cell, edge, density_window(scene_), cells});
+  if (least_cell_edge(scene_) == 0) return part;
+  const double most = part.value + part.bound;  // partners at contact push each other apart less
+  return {most / 2, 0, most / 2};
 }
 
 double Subject::pair_factor() const {

@@ -4,6 +4,7 @@
 #include "sim/record/record.hpp"
 #include "sim/scene/scene.hpp"
 #include "validation/law/gas.hpp"
+#include "validation/law/virial.hpp"
 
 #include <span>
 #include <string>
@@ -27,11 +28,11 @@ class Subject {
   double particles_per_cell() const;   ///< 0 when the method has no cells
   double collisions_per_step() const;  ///< of one particle, at the initial temperature
 
-  /// An offset pushes particles apart, so that a cell of N_c particles holds fewer pairs than chance would
-  /// give it: a part (1 - S)/N_c of them is missing, with S = (d(nu Z)/dnu)^-1, the structure factor at long
-  /// wavelengths. Whatever is proportional to pairs is too small by up to that part. 0 without an offset or
-  /// without cells.
-  double missing_pairs() const;
+  /// An offset pushes particles apart, so that a cell holds fewer pairs than chance would give it, and the window of its
+  /// contact value scatters less: law::pair_deficit. Whatever is proportional to pairs is too small by that part. Nothing
+  /// without an offset or without cells. Cells that are full keep their numbers, and no window corrects them: between
+  /// nothing and (1 - S)/N_c.
+  law::Bounded missing_pairs() const;
 
   /// Pairs that can collide over those of an infinite gas: (N-1)/N where partners are drawn at random, and
   /// fixed_count_factor where hard particles really touch.

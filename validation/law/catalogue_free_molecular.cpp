@@ -1,5 +1,6 @@
 #include "validation/law/catalogue.hpp"
 #include "validation/law/free_molecular.hpp"
+#include "validation/law/obstructed_column.hpp"
 #include "validation/law/parameters.hpp"
 
 namespace sandglass::law {
@@ -77,8 +78,30 @@ Law column_law() {
             arguments.at("height"));
       }};
 }
+
+Law floor_law() {
+  return {
+      .name = "column-floor-force",
+      .summary = "mean force of one particle of a column on the floor, with a disk or sphere inside",
+      .source = "pressure n T of the Boltzmann factor over the free part; docs/theory.md",
+      .units = "mass length time^-2",
+      .validity = "ideal gas at rest at one temperature, obstacle wholly inside, with or without collisions",
+      .parameters = {with_fallback(positive("lid", "length", "height of the lid"), 1),
+                     with_fallback(positive("area", "length^(dimension-1)", "of the floor"), 1),
+                     elapsed("gravity", "length time^-2", "acceleration downwards"),
+                     elapsed("centre-height", "length", "of the obstacle"),
+                     elapsed("radius", "length", "of the obstacle; 0: none"), temperature(), mass(),
+                     dimension()},
+      .evaluate = [](const Arguments& arguments) {
+        return floor_force({{arguments.at("mass"), arguments.at("temperature"), arguments.at("gravity"),
+                             arguments.at("lid")},
+                            static_cast<int>(arguments.at("dimension")),
+                            arguments.at("area"),
+                            {{arguments.at("centre-height"), arguments.at("radius")}}});
+      }};
+}
 }  // namespace
 
-std::vector<Law> free_molecular_laws() { return {temperature_law(), drag_law(), column_law()}; }
+std::vector<Law> free_molecular_laws() { return {temperature_law(), drag_law(), column_law(), floor_law()}; }
 
 }  // namespace sandglass::law

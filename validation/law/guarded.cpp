@@ -3,6 +3,7 @@
 #include "validation/law/enskog.hpp"
 #include "validation/law/haff.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <gsl/gsl_sf_bessel.h>
@@ -10,8 +11,9 @@
 namespace sandglass::law {
 
 namespace {
-constexpr double kStep = 0.1;  // of the trapezoidal rule; integrands are smooth and Gaussian
-constexpr int kHalf = 55;      // out to 5.5 sqrt(2T/m)
+constexpr double kFitted = 1.2;  // collisions in the contact time
+constexpr double kStep = 0.1;    // of the trapezoidal rule; integrands are smooth and Gaussian
+constexpr int kHalf = 55;        // out to 5.5 sqrt(2T/m)
 using Line = std::array<double, 2 * kHalf + 1>;
 
 /// exp(-x rate) of a particle with the given speed along the contact normal, averaged over the rest.
@@ -60,7 +62,18 @@ double guarded_share(int dimension, double x) {
   return loss(left) / loss(all);
 }
 
-double guarded_share_of_mean_rate(double x) { return std::exp(-2 * x); }
+double guarded_share_polynomial(double x) {
+  const double y = std::sqrt(std::numbers::pi) * x;
+  return std::exp(-1.268 * y + 0.01682 * y * y - 0.0005783 * y * y * y);
+}
+
+Bounded guarded_share_of_contacts(const Gas& gas, double x) {
+  const double share = guarded_share(gas.dimension, x), known = std::min(x, kFitted);
+  const double more = 0.125 * known - 0.026 * known * known;
+  const bool is_fitted = gas.dimension == 2 && gas.fraction > 0.2 && gas.fraction < 0.67 && x <= kFitted;
+  if (!is_fitted) return {share * std::exp(more / 2), 0, share * more / 2};
+  return {share * std::exp(more), 0, share * (gas.fraction > 0.55 ? 0.003 : 0.01)};
+}
 
 double guarded_cooling_rate(const Gas& gas, double contact_time) {
   return cooling_rate(gas) * guarded_share(gas.dimension, collision_rate(gas) * contact_time);

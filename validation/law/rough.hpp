@@ -4,6 +4,9 @@
 
 namespace sandglass::law {
 
+/// q of I = q m R^2 of a solid disk, 1/2, or ball, 2/5, about its centre.
+inline double solid_inertia(int dimension) { return dimension == 2 ? 1.0 / 2 : 2.0 / 5; }
+
 /// A uniform gas of equal rough particles, and what a contact does to it.
 struct RoughGas {
   int dimension = 3;

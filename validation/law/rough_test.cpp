@@ -12,6 +12,12 @@
 namespace sandglass::law::rough_test {
 namespace {
 
+TEST(SolidInertia, IsTheMeanSquareDistanceFromTheAxis) {
+  const auto moment = [](double power) { return 1 / (power + 1); };  // integral of x^power from 0 to 1
+  EXPECT_DOUBLE_EQ(solid_inertia(2), moment(3) / moment(1));
+  EXPECT_DOUBLE_EQ(solid_inertia(3), 2. / 3 * moment(4) / moment(2));  // of shells, 2/3 r^2
+}
+
 Vector<3> normal_vector(Random& random, int dimension, double deviation) {
   boost::random::normal_distribution<double> normal(0, deviation);
   Vector<3> v = Vector<3>::Zero();

@@ -59,6 +59,8 @@ struct Variant {
 struct KnownLimit {
   Selection where;
   std::string reason;
+  law::Arguments
+      instead;  ///< numbers of the check with which it must pass; empty: nothing is said of the size
   std::vector<Selection> lifted;  ///< where the case says that it can after all
   bool holds(const std::string& point, const std::string& variant) const;
 };

@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/run/run.hpp"
+#include "validation/suite/apart.hpp"
 
 #include <algorithm>
 #include <set>
@@ -35,8 +36,11 @@ MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confiden
   Task honest = task;
   honest.checks = {&use};
   try {
-    result.check = judge_record(honest, run_scene(task.scene, options), confidence).front();
+    const Record record = run_scene_apart(task.scene, options);
+    const auto lock = hold_off_new_processes();
+    result.check = judge_record(honest, record, confidence).front();
   } catch (const RunError& error) {
+    const auto lock = hold_off_new_processes();
     result.check = judge_broken(honest, error.what(), confidence).front();
   }
   result.caught = result.check.judgement.verdict == Verdict::fail;

@@ -19,7 +19,7 @@ class CheckReader {
     CheckUse use;
     table.read("claim", use.claim);
     read_settings(table, node, checks, use);
-    read_limits(table, node, use);
+    read_limits(table, node, checks, use);
     const std::vector<Selection> lifted = read_lifted(table, node);
     std::vector<CheckUse> parts = read_parts(table, node, checks, use);
     if (!table.has("at")) parts = {use};
@@ -37,20 +37,14 @@ class CheckReader {
     table.read("resolution", use.settings.resolution);
     table.read("reason", use.settings.reason);
     choices_.read(table, use.where);
-    std::optional<Table> numbers = table.table("numbers");
-    if (!numbers) return;
-    for (const Node& entry : entry_of(node, "numbers")->items) {
-      numbers->read(entry.key, use.settings.numbers[entry.key]);
-      for (const std::string& check : checks)
-        report_idle({entry.key}, "number", choices_of(find_check(check).parameters),
-                    numbers->path_of(entry.key), *choices_.diagnostics);
-    }
+    read_numbers(table, node, "numbers", checks, *choices_.diagnostics, use.settings.numbers);
   }
 
-  void read_limits(Table& table, const Node& node, CheckUse& use) {
-    read_each(table, node, "known-limit", [&](Table& inner, const Node&) {
+  void read_limits(Table& table, const Node& node, const std::vector<std::string>& checks, CheckUse& use) {
+    read_each(table, node, "known-limit", [&](Table& inner, const Node& entry) {
       KnownLimit& limit = use.limits.emplace_back();
       inner.require("reason", limit.reason, "what the source says");
+      read_numbers(inner, entry, "instead", checks, *choices_.diagnostics, limit.instead);
       choices_.read(inner, limit.where);
     });
   }
@@ -100,7 +94,7 @@ class CheckReader {
       const Selection where{choose(shared.points, choices_.points),
                             choose(shared.variants, choices_.variants)};
       if (where.points.empty() || where.variants.empty()) continue;
-      use.limits.push_back({where, shared.reason, lifted});
+      use.limits.push_back({where, shared.reason, shared.instead, lifted});
     }
   }
 

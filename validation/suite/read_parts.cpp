@@ -86,4 +86,17 @@ const Node* entry_of(const Node& table, const std::string& key) {
   return found == table.items.end() ? nullptr : &*found;
 }
 
+void read_numbers(Table& table, const Node& node, const std::string& key,
+                  const std::vector<std::string>& checks, Diagnostics& diagnostics, law::Arguments& numbers) {
+  std::optional<Table> given = table.table(key);
+  if (!given) return;
+  for (const Node& entry : entry_of(node, key)->items) {
+    given->read(entry.key, numbers[entry.key]);
+    for (const CheckInfo& check : all_checks())
+      if (chosen(checks, {check.name, {}}))
+        report_idle({entry.key}, "number", choices_of(check.parameters), given->path_of(entry.key),
+                    diagnostics);
+  }
+}
+
 }  // namespace sandglass

@@ -31,10 +31,15 @@ std::vector<Choice> choices_of(const Entries& entries) {
 }
 
 /// The variants of all cases, and what they cannot do.
+/// Numbers that each of the checks takes.
+void read_numbers(Table& table, const Node& node, const std::string& key,
+                  const std::vector<std::string>& checks, Diagnostics& diagnostics, law::Arguments& numbers);
+
 struct SharedLimit {
   std::vector<std::string> checks, variants,
       points;  ///< patterns; points that a case does not have match nothing
   std::string reason;
+  law::Arguments instead;
 };
 struct SharedVariant {
   struct Addition {

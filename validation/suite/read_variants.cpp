@@ -37,12 +37,13 @@ void read_shared(Table& table, const Node& node, const std::string& file, Diagno
   });
 }
 
-void read_limit(Table& table, const std::vector<Choice>& variants, Diagnostics& diagnostics,
+void read_limit(Table& table, const Node& node, const std::vector<Choice>& variants, Diagnostics& diagnostics,
                 SharedLimit& limit) {
   limit.checks = read_check_patterns(table, diagnostics);
   limit.variants = read_words(table, "variants");
   limit.points = read_words(table, "points");
   table.require("reason", limit.reason, "what the source says");
+  read_numbers(table, node, "instead", limit.checks, diagnostics, limit.instead);
   report_idle(limit.variants, "variant", variants, table.path_of("variants"), diagnostics);
 }
 }  // namespace
@@ -57,8 +58,8 @@ VariantLibrary read_variant_library(const std::string& file) {
     read_shared(table, node, file, diagnostics, library.variants.emplace_back());
   });
   const std::vector<Choice> variants = choices_among(library.variants);
-  read_each(root, document, "known-limit", [&](Table& table, const Node&) {
-    read_limit(table, variants, diagnostics, library.limits.emplace_back());
+  read_each(root, document, "known-limit", [&](Table& table, const Node& node) {
+    read_limit(table, node, variants, diagnostics, library.limits.emplace_back());
   });
   root.finish();
   diagnostics.raise();

@@ -110,4 +110,23 @@ void write_mutants(const std::string& folder, const std::vector<MutantResult>& m
   write_json(fs::path(folder) / "mutants.json", json);
 }
 
+void write_keys(const std::string& folder, const std::vector<KeyResult>& keys) {
+  Json json = Json::array();
+  for (const KeyResult& key : keys) {
+    Json trials = Json::array();
+    for (const KeyTrial& trial : key.trials)
+      trials.push_back({{"case", trial.case_name},
+                        {"variant", trial.variant},
+                        {"point", trial.point},
+                        {"how", trial.how},
+                        {"check", trial.check}});
+    json.push_back({{"key", key.key},
+                    {"family", key.family},
+                    {"used", key.is_used},
+                    {"seen", key.seen()},
+                    {"trials", trials}});
+  }
+  write_json(fs::path(folder) / "keys.json", json);
+}
+
 }  // namespace sandglass

@@ -2,10 +2,9 @@
 
 #include "sim/base/error.hpp"
 #include "sim/run/run.hpp"
+#include "validation/suite/apart.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <limits>
 
 namespace sandglass {
 
@@ -19,6 +18,7 @@ Outcome broken(const Task& task, const std::string& reason, const Confidence& co
   outcome.run.variant = task.variant;
   outcome.run.point = task.point;
   outcome.run.seed = task.scene.run.seed;
+  outcome.run.scene = write_scene(task.scene);  // to run it again: there is no record
   outcome.checks = judge_broken(task, reason, confidence);
   return outcome;
 }
@@ -28,18 +28,15 @@ Outcome attempt(const Task& task, const SuiteOptions& options, const std::string
   run.stop = options.stop;
   Outcome outcome;
   try {
-    const Record record = run_scene(task.scene, run);
+    const Record record = run_scene_apart(
+        task.scene, run,
+        record_path.empty() ? "" : (std::filesystem::path(options.output) / record_path).string());
+    const auto lock = hold_off_new_processes();
     outcome.run = summarize(task, record);
     outcome.checks = judge_record(task, record, options.confidence);
-    if (!record_path.empty()) {
-      const std::filesystem::path path = std::filesystem::path(options.output) / record_path;
-      std::filesystem::create_directories(path.parent_path());
-      write_record(path.string(), record);
-      outcome.run.record_path = record_path;
-    }
+    outcome.run.record_path = record_path;
   } catch (const RunError& error) {
-    outcome = broken(task, error.what(), options.confidence);
-  } catch (const InputError& error) {
+    const auto lock = hold_off_new_processes();
     outcome = broken(task, error.what(), options.confidence);
   }
   outcome.case_name = task.subject->name;

@@ -131,6 +131,19 @@ void run_mutants(const std::vector<Case>& cases, const SuiteOptions& options, Su
   });
   write_mutants(options.output, result.mutants);
 }
+
+void run_keys(const std::vector<Case>& cases, const SuiteOptions& options, SuiteResult& result) {
+  std::vector<Task> tasks;
+  for (const Case& subject : cases)
+    for (Task& task : expand(subject, options.tier, options.variant)) tasks.push_back(std::move(task));
+  const auto finished = [&](std::size_t done, std::size_t total, const std::string& key) {
+    if (options.progress)
+      options.progress({done, total, static_cast<double>(done) / static_cast<double>(total), key, 0});
+  };
+  result.keys =
+      try_keys(tasks, {options.jobs, options.confidence, options.known_keys, finished, options.stop});
+  write_keys(options.output, result.keys);
+}
 }  // namespace
 
 bool SuiteResult::blocked() const {
@@ -148,6 +161,8 @@ SuiteResult run_suite(const SuiteOptions& options) {
   result.cases = chosen_cases(options);
   if (options.mutants)
     run_mutants(result.cases, options, result);
+  else if (options.keys)
+    run_keys(result.cases, options, result);
   else
     run_matrix(result.cases, options, result);
   return result;

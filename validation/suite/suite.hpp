@@ -1,5 +1,6 @@
 #pragma once
 
+#include "validation/suite/keys.hpp"
 #include "validation/suite/mutants.hpp"
 #include "validation/suite/outcome.hpp"
 #include "validation/suite/sweep.hpp"
@@ -26,8 +27,10 @@ struct SuiteOptions {
   std::string variant;  ///< empty: all
   unsigned jobs = 1;    ///< threads
   std::string output = "report";
-  bool mutants = false;               ///< run the planted faults instead of the matrix
-  std::optional<std::uint64_t> seed;  ///< fresh seeds derived from this one; without it those of the scenes
+  bool mutants = false;                 ///< run the planted faults instead of the matrix
+  bool keys = false;                    ///< wire the keys of the scenes wrongly instead
+  std::vector<std::string> known_keys;  ///< all that a scene may have
+  std::optional<std::uint64_t> seed;    ///< fresh seeds derived from this one; without it those of the scenes
   Confidence confidence;
   std::function<void(const SuiteProgress&)> progress;  ///< one call at a time, from any thread; may be empty
   const std::atomic<bool>* stop = nullptr;             ///< set by a signal: throws Interrupted
@@ -38,11 +41,12 @@ struct SuiteResult {
   std::vector<Outcome> outcomes;
   std::vector<SweepResult> sweeps;
   std::vector<MutantResult> mutants;
+  std::vector<KeyResult> keys;  ///< block nothing: they say where to look
   /// A verdict that blocks or a mutant that was not caught.
   bool blocked() const;
 };
 
-/// Runs the matrix or the mutants and fills the report folder (docs/file-formats.md). Throws InputError for a
+/// Runs the matrix, the mutants or the keys and fills the report folder (docs/file-formats.md). Throws InputError for a
 /// case, tier or variant that does not exist and for a scene that cannot be, before anything runs; RunError
 /// when nothing can be written. A run that breaks is a verdict: its checks are inconclusive and say why.
 SuiteResult run_suite(const SuiteOptions& options);

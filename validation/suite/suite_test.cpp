@@ -134,6 +134,27 @@ observe = [{ what = "energy" }]
   EXPECT_THAT(result.check.judgement.reason, testing::HasSubstr("the run broke: inelastic collapse"));
 }
 
+/// What a limit does to the verdict on a gas without collisional pressure, when its source has it carry that part of it.
+Verdict limit_of(double carried) {
+  const Scene scene = read_scene_text(
+      "run = { duration = { collisions-per-particle = 5.0 } }\nspecies = [{ count = 200, area-fraction = 0.2 "
+      "}]\n"
+      "domain = { dimension = 2 }\nmethod = { preset = \"dsmc\", time-step = { collisions-per-particle = 0.1 "
+      "} }\n"
+      "observe = [{ what = \"pressure\", every = { collisions-per-particle = 1.0 } }]\n",
+      "scene.toml");
+  const Case subject;
+  const KnownLimit limit{{}, "no offset", {{"carried", carried}}, {}};
+  const CheckUse use{"compressibility", "", {}, {}, {limit}};
+  const Task task{&subject, "dsmc", "one", scene, {&use}};
+  return judge_record(task, run_scene(scene), {}).front().judgement.verdict;
+}
+
+TEST(Suite, KnownLimitHasASize) {
+  EXPECT_EQ(limit_of(0), Verdict::expected_fail);
+  EXPECT_EQ(limit_of(0.5), Verdict::fail);
+}
+
 TEST(Suite, StopInterrupts) {
   const SyntheticCase files;
   SuiteOptions options = options_of(files);

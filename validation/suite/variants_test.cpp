@@ -128,6 +128,14 @@ TEST(KnownLimits, CaseLiftsOneAndAddsAnother) {
   EXPECT_EQ(subject.checks.at(0).known_limit("thin", "cba")->reason, "of the case");
 }
 
+TEST(KnownLimits, SayWithNumbersOfTheCheckWhatIsSeenInstead) {
+  const std::string head = "variants = \"dsmc\"\n" + points + "[[check]]\ncheck = \"haff-cooling\"\n";
+  const std::string limit = "[[check.known-limit]]\nreason = \"of the case\"\ninstead = { contact-valu";
+  const Case subject = with_library(head + limit + "e = 1.0 }\n");
+  EXPECT_EQ(subject.checks.at(0).known_limit("thin", "dsmc")->instead.at("contact-value"), 1);
+  EXPECT_THAT(error_of(head + limit + " = 1.0 }\n"), HasSubstr("did you mean 'contact-value'"));
+}
+
 TEST(CheckAt, TakesWhatItDoesNotSayFromItsCheck) {
   const Case subject =
       with_library("variants = \"dsmc\"\n" + points +

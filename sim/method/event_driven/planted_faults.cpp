@@ -48,6 +48,8 @@ const std::vector<FaultEntry<FaultChange>>& planted_faults() {
          p.contact_time = 0;
          for (Surface& surface : p.surfaces) surface.normal.reference_speed = 0;
        }},
+      {{"contact-time-minus-20-percent", "contact time of the collapse guard 20% too short"},
+       [](auto& p) { p.contact_time *= 0.8; }},
       {{"friction-dropped", "rough contacts always stick"},
        [](auto& p) {
          for (Surface& surface : p.surfaces) surface.friction = std::numeric_limits<double>::infinity();

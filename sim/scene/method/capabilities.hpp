@@ -47,6 +47,8 @@ double least_cell_edge(const Scene& scene);
 bool has_diagonal_cells(const Scene& scene);
 /// Collisions push pairs apart that are then missing where pairs are counted: by offsets, or by partners at contact.
 bool loses_pairs(const Scene& scene);
+/// Cells across the window that the contact value of a cell is read from; 1 where the scene leaves it open or there is none.
+double density_window(const Scene& scene);
 /// The collision rate goes with the contact value of the local density.
 bool has_contact_factor(const Scene& scene);
 /// Partners of a collision stand a diameter apart.

@@ -34,6 +34,13 @@ bool loses_pairs(const Scene& scene) {
   return choice(scene.method, false, get);
 }
 
+double density_window(const Scene& scene) {
+  const auto get = [](const auto& options) -> decltype(options.density_window) {
+    return options.density_window;
+  };
+  return static_cast<double>(choice(scene.method, std::optional<std::uint64_t>{}, get).value_or(1));
+}
+
 bool has_contact_factor(const Scene& scene) {
   const auto get = [](const auto& options) -> decltype(options.contact_factor == ContactFactor::local) {
     return options.contact_factor == ContactFactor::local;
