@@ -29,6 +29,7 @@ def test_help(command):
     (["validate", "--tier=hour"], "unknown tier 'hour' (allowed: smoke standard paper)"),
     (["validate", "--teir", "smoke"], "unknown option '--teir'; did you mean '--tier'?"),
     (["validate", "--tier"], "--tier needs a value"),
+    (["validate", "--against", "nowhere"], "--against nowhere: no report is there (no verdicts.json)"),
     (["validate", "--jobs", "0"], "--jobs 0: a whole number from 1"),
     (["test", "--no-instal"], "unknown option '--no-instal'; did you mean '--no-install'?"),
 ])

@@ -1,4 +1,5 @@
 #include "sim/base/error.hpp"
+#include "sim/program/edited_scene.hpp"
 #include "sim/program/folders.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/signals.hpp"
@@ -28,7 +29,8 @@ SuiteOptions suite_options(const Options& options) {
   if (!options.output.empty()) suite.output = options.output;
   suite.mutants = options.mutants;
   suite.seed = options.seed;
-  suite.stop = &stop_on_signal();
+  suite.settings = overrides_of(options.settings);
+  suite.stop = &stop_on_signal(options.quiet);
   return suite;
 }
 

@@ -112,6 +112,8 @@ Evidence haff_cooling(const Subject& subject, const law::Arguments& numbers) {
       law::haff_time_scale_sonine(subject.gas(subject.scene().initial.temperature)) * (1 + waves);
   evidence.expected = scale;
   evidence.budget.systematic = scale * (evidence.budget.systematic + waves);
+  evidence.effect = scale;
+  evidence.without = "no cooling";
   const auto theory = [scale](double time) { return law::haff_energy_ratio(time, scale); };
   evidence.figures.push_back(energy_figure(subject, {"time", "time", true}, true, theory));
   return evidence;
@@ -128,6 +130,8 @@ Evidence cooling_per_collision(const Subject& subject, const law::Arguments& num
   evidence.expected = (1 - r * r) / subject.dimension() * law::sonine_cooling_factor(a2) /
                       law::sonine_collision_factor(a2) * (1 - waves);
   evidence.budget.systematic = evidence.expected * (evidence.budget.systematic + waves);
+  evidence.effect = evidence.expected;
+  evidence.without = "no cooling";
   const auto theory = [&](double collisions) { return std::exp(-evidence.expected * collisions); };
   evidence.figures.push_back(energy_figure(subject, {"collisions per particle", "1", false}, false, theory));
   return evidence;

@@ -25,6 +25,8 @@ Evidence against(const Subject& subject, const law::Bounded& theory) {
   evidence.budget.reference = theory.standard_error;
   evidence.budget.systematic = subject.missing_pairs() * (theory.value - 1) + theory.bound;
   evidence.budget.reason = "pairs that an offset takes from a cell, (1-S)/N_c";
+  evidence.effect = evidence.expected - 1;
+  evidence.without = "an ideal gas";
   return evidence;
 }
 

@@ -26,8 +26,9 @@ struct SuiteOptions {
   std::string variant;  ///< empty: all
   unsigned jobs = 1;    ///< threads
   std::string output = "report";
-  bool mutants = false;               ///< run the planted faults instead of the matrix
-  std::optional<std::uint64_t> seed;  ///< fresh seeds derived from this one; without it those of the scenes
+  bool mutants = false;                 ///< run the planted faults instead of the matrix
+  std::vector<Override> settings = {};  ///< laid over the scene of every run, the later ones on top
+  std::optional<std::uint64_t> seed;    ///< fresh seeds derived from this one; without it those of the scenes
   Confidence confidence;
   std::function<void(const SuiteProgress&)> progress;  ///< one call at a time, from any thread; may be empty
   const std::atomic<bool>* stop = nullptr;             ///< set by a signal: throws Interrupted

@@ -20,6 +20,9 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
  public:
   static constexpr int D = C::D;
   static constexpr auto kNextId = "event-driven/next-id", kEntrance = "event-driven/entrance";
+  static constexpr std::uint64_t kBetweenLooks = 1 << 14;  ///< events between two looks whether to stop
+  static constexpr double kLeastGap =
+      1e-5;  ///< in diameters: no packing that a scene may begin with is as dense
 
   Engine(const Parameters<D>& parameters, Agents<D> agents, const Streams& streams, EventSink<D>* trace);
 
@@ -64,6 +67,7 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   void fill_calendar();
   void fill_cells();
   void scale_stall();
+  void refuse_jam() const;
 
   std::uint64_t identity(std::uint32_t particle) const {
     return gas_.ids.empty() ? particle : gas_.ids[particle];
@@ -86,6 +90,7 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   Agents<D> agents_;
   AgentsByCell<D> agents_by_cell_;
   std::vector<Agent<D>*> timers_;  ///< agents with events of their own
+  bool fills_ = false;             ///< somebody has come in, and no weight presses those who rest
   bool draws_;                     ///< an agent draws random numbers
   Streams streams_;
   EventSink<D>* trace_;

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "sim/base/saved.hpp"
+#include "sim/base/stop_request.hpp"
 #include "sim/method/event_driven/check_codes.hpp"
 #include "sim/method/event_driven/engine.hpp"
 #include "sim/method/event_driven/restart.hpp"
 
 #include <algorithm>
+
+#include <fmt/ranges.h>
 
 namespace sandglass::event_driven {
 
@@ -47,6 +51,7 @@ void Engine<C>::assign(const Particles<D>& particles) {
   entrance_ = Entrance<D>(parameters_, streams_);
   next_id_ = gas_.size();
   for (const std::uint64_t id : gas_.ids) next_id_ = std::max(next_id_, id + 1);
+  fills_ = false;
   stall_ = {};
   stall_.set_size(particles.phases.size());
   seen_ = -1;
@@ -58,6 +63,7 @@ void Engine<C>::assign(const Particles<D>& particles) {
 
 template <class C>
 void Engine<C>::begin_era() {
+  stop_request.heed();
   gas_.rebase(progress_.now);
   stall_.rebase(progress_.now);
   progress_.origin += progress_.now;
@@ -85,11 +91,27 @@ void Engine<C>::fill_cells() {
 template <class C>
 void Engine<C>::fill_calendar() {
   scale_stall();
+  if (fills_) refuse_jam();
   calendar_.start(progress_.era.width, progress_.era.buckets);
   for (std::uint32_t i = 0; i < gas_.size(); ++i) calendar_.push(gas_.next[i].time, i);
 }
 
 /// An era shrinks along with the bounces of a ball. Gravity and the diameter have a speed and a time that do not.
+/// Where more come in than go, the gaps shrink until nobody moves any more, and the collisions of a step have no end: those
+/// of one particle, in the middle of all, follow each other ever faster.
+template <class C>
+void Engine<C>::refuse_jam() const {
+  const double gap = speed_scale(gas_) * progress_.era.end() / kEventsPerEra;
+  if (gap > kLeastGap * parameters_.largest_diameter() || progress_.era.end() <= kInstant) return;
+  const Vector<D> place = state(0).position;
+  throw RunError(
+      fmt::format("the box is full at time {:.12g}: of its {} particles, as the one at ({:.6g}), half move "
+                  "by less than {} diameters "
+                  "between two collisions, and more come in: open a side by which they leave, let fewer in, "
+                  "or shorten the run",
+                  progress_.clock(), size(), fmt::join(place.data(), place.data() + D, ", "), kLeastGap));
+}
+
 template <class C>
 void Engine<C>::scale_stall() {
   const double g = parameters_.gravity.norm(), d = parameters_.largest_diameter();
@@ -186,7 +208,11 @@ Memory Engine<C>::with_entrance(Memory memory) const {
 template <class C>
 void Engine<C>::load(const Memory& memory) {
   load_state(memory, gas_, agents_, progress_);
-  next_id_ = static_cast<std::uint64_t>(memory.at(kNextId).at(0));
+  require_sound(gas_, cells_, agents_.size(), parameters_.species.size(), progress_);
+  for (const Agent<D>* timer : timers_)
+    if (timer != &entrance_ && timer->next() < progress_.clock() * (1 - 1e-9))
+      refuse_saved("an event long past");
+  next_id_ = saved_count(memory.at(kNextId).at(0));
   if (const auto known = memory.find(kEntrance); known != memory.end()) {
     entrance_.load(known->second);
     open_entrance();
