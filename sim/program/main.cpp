@@ -1,5 +1,6 @@
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
+#include "sim/program/completion.hpp"
 #include "sim/program/failure.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/parallel.hpp"
@@ -34,6 +35,12 @@ void add_new(CLI::App& app, Options& options) {
 void add_help(CLI::App& app, Options& options) {
   app.add_subcommand("help", "what a scene may say")
       ->add_option("word", options.subject, "a section, a key, or section.key (default: all, in brief)");
+}
+
+void add_completion(CLI::App& app, Options& options) {
+  app.add_subcommand("completion", "print a script that completes commands in a shell")
+      ->add_option("shell", options.subject, "bash or zsh: source <(sandglass completion bash)")
+      ->required();
 }
 
 void add_run(CLI::App& app, Options& options) {
@@ -98,9 +105,10 @@ void add_looking(CLI::App& app, Options& options) {
 
 const std::map<std::string, Command>& commands() {
   static const std::map<std::string, Command> all = {
-      {"help", help},        {"new", new_scene},       {"run", run},           {"resume", resume_run},
-      {"plan", show_plan},   {"check", check},         {"validate", validate}, {"list", list},
-      {"law", evaluate_law}, {"export", export_files},
+      {"help", help},           {"new", new_scene},      {"run", run},
+      {"resume", resume_run},   {"plan", show_plan},     {"check", check},
+      {"validate", validate},   {"list", list},          {"law", evaluate_law},
+      {"export", export_files}, {"completion", nullptr},  // of what stands here
   };
   return all;
 }
@@ -124,12 +132,17 @@ int main_of(int argc, char** argv) {
   add_run(app, options);
   add_judging(app, options);
   add_looking(app, options);
+  add_completion(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_well : bad_input;
   }
   options.command = app.get_subcommands().front()->get_name();
+  if (options.command == "completion") {
+    std::printf("%s", completion_script(app, options.subject).c_str());
+    return all_well;
+  }
   const Parallel parallel;
   options.ranks = parallel.ranks();
   try {

@@ -151,16 +151,14 @@ void spoil(const std::string& path, std::mt19937& engine) {
   }
 }
 
-void read_and_show(const std::string& path, const ScratchFolder& folder) {
+void read_and_show(const std::string& path, const ScratchFolder& folder, std::mt19937& engine) {
   try {
     const Record record = read_record(path);
     EXPECT_FALSE(describe_record(record).empty());
-    for (const ExportFormat& format : export_formats()) {
-      try {
-        export_record(record, format.name, folder / "out");
-      } catch (const InputError& error) {
-        EXPECT_STRNE(error.what(), "");
-      }
+    try {
+      export_record(record, export_formats()[engine() % export_formats().size()].name, folder / "out");
+    } catch (const InputError& error) {
+      EXPECT_STRNE(error.what(), "");
     }
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find(path), std::string::npos) << error.what();
@@ -173,11 +171,11 @@ TEST(RecordFuzz, ASpoiledRecordIsReadOrRefused) {
   const ScratchFolder folder;
   const std::string good = folder / "good.h5", path = folder / "spoiled.h5";
   write_record(good, sample_record());
-  for (Trials trials(300); trials.next();) {
+  for (Trials trials(100); trials.next();) {
     std::mt19937 engine(trials.seed());
     fs::copy_file(good, path, fs::copy_options::overwrite_existing);
     spoil(path, engine);
-    read_and_show(path, folder);
+    read_and_show(path, folder, engine);
   }
 }
 

@@ -12,6 +12,7 @@ namespace sandglass::event_driven {
 template <class C>
 void Engine<C>::step(double dt, std::uint64_t) {
   seen_ = -1;
+  before_step_ = tally_.collisions;
   double left = dt;
   for (;;) {
     stop_request.heed();
@@ -24,6 +25,7 @@ void Engine<C>::step(double dt, std::uint64_t) {
     renew_era();
   }
   run_until(left);
+  note_quiet_step();
   tally_.moves = 2 * tally_.collisions + progress_.counts.agent_events;
   tally_.candidates = progress_.counts.predictions;
 }

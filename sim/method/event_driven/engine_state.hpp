@@ -52,6 +52,8 @@ void Engine<C>::assign(const Particles<D>& particles) {
   next_id_ = gas_.size();
   for (const std::uint64_t id : gas_.ids) next_id_ = std::max(next_id_, id + 1);
   fills_ = false;
+  quietest_ = HUGE_VAL;
+  quiet_size_ = 0;
   stall_ = {};
   stall_.set_size(particles.phases.size());
   seen_ = -1;
@@ -64,6 +66,7 @@ void Engine<C>::assign(const Particles<D>& particles) {
 template <class C>
 void Engine<C>::begin_era() {
   stop_request.heed();
+  if (fills_) refuse_jam();
   gas_.rebase(progress_.now);
   stall_.rebase(progress_.now);
   progress_.origin += progress_.now;
@@ -91,25 +94,35 @@ void Engine<C>::fill_cells() {
 template <class C>
 void Engine<C>::fill_calendar() {
   scale_stall();
-  if (fills_) refuse_jam();
   calendar_.start(progress_.era.width, progress_.era.buckets);
   for (std::uint32_t i = 0; i < gas_.size(); ++i) calendar_.push(gas_.next[i].time, i);
 }
 
 /// An era shrinks along with the bounces of a ball. Gravity and the diameter have a speed and a time that do not.
-/// Where more come in than go, the gaps shrink until nobody moves any more, and the collisions of a step have no end: those
-/// of one particle, in the middle of all, follow each other ever faster.
+/// Where more come in than go, particles are pressed together, or heated without bound, until the collisions of a step
+/// have no end. A gas collides as often in each step as long as their number is about the same.
 template <class C>
 void Engine<C>::refuse_jam() const {
-  const double gap = speed_scale(gas_) * progress_.era.end() / kEventsPerEra;
-  if (gap > kLeastGap * parameters_.largest_diameter() || progress_.era.end() <= kInstant) return;
+  const double often = collisions_of_step();
+  if (!(often > kMostOften) || !(often > kJam * quietest_)) return;
   const Vector<D> place = state(0).position;
-  throw RunError(
-      fmt::format("the box is full at time {:.12g}: of its {} particles, as the one at ({:.6g}), half move "
-                  "by less than {} diameters "
-                  "between two collisions, and more come in: open a side by which they leave, let fewer in, "
-                  "or shorten the run",
-                  progress_.clock(), size(), fmt::join(place.data(), place.data() + D, ", "), kLeastGap));
+  throw RunError(fmt::format(
+      "time hardly advances at {:.12g}: the {} particles in the box, one of them at ({:.6g}), have collided "
+      "{:.3g} times each in "
+      "this step, and at most {:.3g} times in a quiet one; the box is full, and more come in: open a side by "
+      "which they "
+      "leave, let fewer in, or end the run sooner",
+      progress_.clock(), size(), fmt::join(place.data(), place.data() + D, ", "), often, quietest_));
+}
+
+template <class C>
+void Engine<C>::note_quiet_step() {
+  if (!fills_) return;
+  if (size() > 4 * quiet_size_) {
+    quietest_ = HUGE_VAL;
+    quiet_size_ = size();
+  }
+  quietest_ = std::min(quietest_, collisions_of_step());
 }
 
 template <class C>

@@ -6,11 +6,13 @@
 namespace sandglass::event_driven {
 
 namespace {
+constexpr double kEventsPerEra = 12;
 constexpr double kFewestPerBucket = 16, kMostPerBucket = 256;
 constexpr double kParticlesPerEntry =
     1000;  // with more particles fewer, fuller buckets: their ends stay in the cache
 constexpr double kFewestBuckets = 64;
 constexpr double kMostEventsPerEra = 100;
+constexpr double kInstant = 1e-300;
 }  // namespace
 
 template <int D>

@@ -6,9 +6,6 @@
 
 namespace sandglass::event_driven {
 
-inline constexpr double kEventsPerEra = 12;  ///< of a particle in the middle of all
-inline constexpr double kInstant = 1e-300;   ///< length of an era of simultaneous contacts
-
 /// The era that begins at time zero. One without an end when nothing will ever happen.
 template <int D>
 Era plan_era(const Gas<D>& gas);

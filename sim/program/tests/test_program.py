@@ -65,6 +65,24 @@ def test_help_says_what_a_key_means():
     assert wrong.returncode == 2 and "did you mean 'restitution'?" in wrong.stderr
 
 
+def completed(*words):
+    script = 'source <("$0" completion bash); shift 0; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _sandglass; printf "%s\\n" "${COMPREPLY[@]}"'
+    path = f"{PROGRAM.parent}:{os.environ['PATH']}"
+    done = subprocess.run(["bash", "-c", script, str(PROGRAM), *words], capture_output=True, text=True, check=True,
+                          env=os.environ | {"PATH": path})
+    return done.stdout.split()
+
+
+def test_the_shell_completes_commands_options_and_names():
+    assert completed("sandglass", "re") == ["resume"]
+    assert completed("sandglass", "run", "scene.toml", "--ov") == ["--overwrite"]
+    assert completed("sandglass", "law", "haff-time-scale-") == ["haff-time-scale-sonine"]
+    assert completed("sandglass", "validate", "homog") == ["homogeneous-cooling"]
+    assert completed("sandglass", "new", "heap") == ["heap-on-a-table"]
+    assert "bashcompinit" in run("completion", "zsh").stdout
+    assert "did you mean 'bash'" in run("completion", "bas").stderr
+
+
 def test_a_new_scene_can_be_planned_and_is_not_replaced(tmp_path):
     for entry in json.loads(run("list", "templates", "--json").stdout):
         assert run("new", entry["name"], folder=tmp_path).returncode == 0
