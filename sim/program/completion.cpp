@@ -15,8 +15,7 @@ namespace {
 /// What follows a command, as an argument of compgen; whatever `sandglass list` names is asked for when it is wanted.
 const std::map<std::string, std::string>& followers() {
   const std::string names = R"~(-W "$(sandglass list {} 2>/dev/null | cut -d ' ' -f 1)")~";
-  const auto named = [&](const char* what) {
-    return fmt::format(fmt::runtime(names), what); };
+  const auto named = [&](const char* what) { return fmt::format(fmt::runtime(names), what); };
   static const std::map<std::string, std::string> all = {
       {"new", named("templates")},
       {"run", "-f -X '!*.toml'"},

@@ -1,7 +1,7 @@
 #include "sim/run/change_scene.hpp"
 
 #include "sim/base/error.hpp"
-#include "sim/scene/method/method.hpp"
+#include "sim/scene/method/guard.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,21 +9,15 @@
 namespace sandglass {
 
 namespace {
-Guard* guard_in(Method& method) {
-  auto* options = std::get_if<EventDrivenOptions>(&method.options);
-  return options == nullptr ? nullptr : &options->guard;
-}
-
 /// The changed scene, with what may differ as it was.
-Scene with_free_parts_of(Scene scene, Scene before) {
+Scene with_free_parts_of(Scene scene, const Scene& before) {
   scene.title = before.title;
   scene.run.duration = before.run.duration;
   scene.observe = before.observe;
   scene.output.record = before.output.record;
   scene.output.trajectory = before.output.trajectory;
   scene.output.checkpoint = before.output.checkpoint;
-  Guard *guard = guard_in(scene.method), *known = guard_in(before.method);
-  if (guard != nullptr && known != nullptr) *guard = *known;
+  set_guard(scene.method, guard_of(before.method));
   return scene;
 }
 

@@ -320,7 +320,7 @@ def test_warnings_of_the_plan_are_those_of_the_run_its_record_and_check(scene, t
 def test_plan_flags_what_does_not_fit_and_shows_no_part_of_a_step(scene, tmp_path):
     huge = run("plan", scene, "--set", "method.weight=1e-8", folder=tmp_path)
     assert "warning" in huge.stdout and "does not fit into the memory of this machine" in huge.stdout
-    long = ("--set", "run.duration={time=0.001}", "--set", "method.time-step={collisions-per-particle=0.5}")
+    long = ("--set", "run.duration={}", "--set", "run.duration.time=0.001", "--set", "method.time-step={collisions-per-particle=0.5}")
     planned = json.loads(run("plan", scene, *long, "--json", folder=tmp_path).stdout)
     assert planned["steps"] == 1 and any("the only step is cut" in warning for warning in planned["warnings"])
     assert run("run", scene, *long, "-o", "short.h5", "-q", folder=tmp_path).returncode == 0
@@ -333,8 +333,8 @@ def test_plan_flags_what_does_not_fit_and_shows_no_part_of_a_step(scene, tmp_pat
 def test_a_check_says_what_a_budget_as_large_as_the_effect_needs(tmp_path):
     """README's scene with restitution 0.5: the budget of Haff's law was six times its time scale, and passed."""
     text = SCENE.replace("{ steps = STEPS }", "{ collisions-per-particle = 20.0 }").replace("restitution = 0.9", "restitution = 0.5")
-    text = text.replace("{ steps = 5 }", "{ collisions-per-particle = 0.5 }")
-    (tmp_path / "few.toml").write_text(text.replace("0.4 }", "{ collisions-per-particle = 0.1 } }"))
+    text = text.replace("{ steps = 5 }", "{ collisions-per-particle = 0.5 }").replace("[40.0, 40.0]", "[400.0, 400.0]")
+    (tmp_path / "few.toml").write_text(text.replace("time-step = 0.4", "time-step = { collisions-per-particle = 0.1 }"))
     assert run("run", "few.toml", "-q", folder=tmp_path).returncode == 0
     checked = run("check", "few.h5", folder=tmp_path)
     assert checked.returncode == 1
