@@ -281,6 +281,14 @@ def test_hostile_scenes_are_refused_at_once(scene, tmp_path):
     assert time.monotonic() - begun < 30
 
 
+def test_as_many_cells_as_are_documented_can_be_planned(scene, tmp_path):
+    most = ("--set", "method.cell-size={}", "--set")
+    planned = run("plan", scene, *most, "method.cells=[46340,46340]", "--json", folder=tmp_path)
+    assert json.loads(planned.stdout)["cells"] == 46340**2
+    refused = run("plan", scene, *most, "method.cells=[46341,46341]", folder=tmp_path)
+    assert refused.returncode == 2 and "at most 2147483647 are allowed" in refused.stderr
+
+
 def test_summary_says_what_no_mean_can(scene, tmp_path):
     scene.write_text(SCENE.replace("STEPS", "500"))
     lines = run("run", scene.name, folder=tmp_path).stdout.splitlines()
