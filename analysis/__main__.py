@@ -1,11 +1,11 @@
-"""python3 -m analysis report|table FOLDER, source-figures SOURCE FOLDER, plot|impact RECORD"""
+"""python3 -m analysis report|table FOLDER, against FOLDER EARLIER, source-figures SOURCE FOLDER, plot|impact RECORD"""
 
 import argparse
 import sys
 from pathlib import Path
 
 from analysis.errors import InputError
-from analysis.load import load_report
+from analysis.load import load_report, load_verdicts
 
 LEDGER = Path(__file__).parent.parent / "reference" / "claims.toml"
 
@@ -17,6 +17,9 @@ def _arguments():
         command = commands.add_parser(name, help=text)
         command.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
         command.add_argument("--claims", type=Path, default=LEDGER, help="ledger of claims (TOML)")
+    against = commands.add_parser("against", help="compare with an earlier report: verdicts, values, costs")
+    against.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
+    against.add_argument("earlier", type=Path, help="one that it filled before")
     source = commands.add_parser("source-figures", help="draw the figures of a source, ours beside its words")
     source.add_argument("source", help="MUL: Müller 2001, GRE: Greenspan 1972, KAW: Kawasaki 1986")
     source.add_argument("folder", type=Path, help="the folder that 'sandglass validate' filled")
@@ -42,6 +45,10 @@ def main():
             from analysis.record_figure import draw_record
             output = arguments.output or Path(arguments.record.stem + ".svg")
             print(f"{draw_record(arguments.record, output, arguments.overwrite)} panels: {output}")
+            return 0
+        if arguments.command == "against":
+            from analysis.against import compare
+            print(compare(load_verdicts(arguments.folder), load_verdicts(arguments.earlier)))
             return 0
         if arguments.command == "source-figures":
             from analysis.source.build import source_figures

@@ -8,7 +8,7 @@ from analysis.checked import Node, read_json, read_toml
 from analysis.record import load_record
 from analysis.words import CLAIM_STATES, EXPECTATIONS, VERDICTS
 
-__all__ = ["load_record", "load_report"]
+__all__ = ["load_record", "load_report", "load_verdicts"]
 
 READERS = {str: Node.text, float: Node.number, model.Number: Node.number, int: Node.whole, bool: Node.flag}
 
@@ -106,13 +106,18 @@ def _optional(folder, name):
     return read_json(folder, name) if (folder / name).exists() else []
 
 
+def load_verdicts(folder):
+    """The verdicts of a report folder by their key, with nothing else of it. Throws InputError."""
+    return _verdicts(read_json(Path(folder), "verdicts.json"))
+
+
 def load_report(folder, claims=None):
     """Everything in a report folder.
 
     `claims` is the ledger of claims (reference/claims.toml), when there is one. Throws InputError.
     """
     folder = Path(folder)
-    verdicts = _verdicts(read_json(folder, "verdicts.json"))
+    verdicts = load_verdicts(folder)
     names = dict.fromkeys(key[0] for key in verdicts)
     cases = [_case(read_json(folder, f"evidence/{name}.json"), verdicts) for name in names]
     mutants = [_plain(model.Mutant, item, verdict=item.one_of("verdict", VERDICTS))

@@ -17,7 +17,7 @@ def shell(script, **environment):
     return run("bash", "-c", f"source {CI}/lib.sh; {script}", **environment)
 
 
-@pytest.mark.parametrize("command", ["test", "validate"])
+@pytest.mark.parametrize("command", ["test", "validate", "fuzz"])
 def test_help(command):
     done = run(CI / command, "--help")
     assert done.returncode == 0
@@ -29,7 +29,10 @@ def test_help(command):
     (["validate", "--tier=hour"], "unknown tier 'hour' (allowed: smoke standard paper)"),
     (["validate", "--teir", "smoke"], "unknown option '--teir'; did you mean '--tier'?"),
     (["validate", "--tier"], "--tier needs a value"),
+    (["validate", "--against", "nowhere"], "--against nowhere: no report is there (no verdicts.json)"),
     (["validate", "--jobs", "0"], "--jobs 0: a whole number from 1"),
+    (["fuzz", "--minutes", "0"], "--minutes 0: a whole number from 1"),
+    (["fuzz", "--minuts", "5"], "unknown option '--minuts'; did you mean '--minutes'?"),
     (["test", "--no-instal"], "unknown option '--no-instal'; did you mean '--no-install'?"),
 ])
 def test_bad_input(arguments, complaint):

@@ -1,7 +1,7 @@
 #include "sim/base/communicator.hpp"
 
 #include "sim/base/number_lists.hpp"
-#include "sim/base/test_ranks.hpp"
+#include "sim/base/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,6 +24,22 @@ TEST(Communicator, TheFirstRankAloneGathers) {
     for (std::size_t rank = 0; rank < 3; ++rank)
       EXPECT_EQ(numbers_of<double>(all[rank]).size(), ranks.is_first() ? rank : 0);
   });
+}
+
+/// Threads share replicas of a run, and one of them may break while the others go on.
+TEST(Communicator, AnErrorOfOneThreadEndsTheOthers) {
+  const auto work = [](Communicator& ranks) {
+    for (int round = 0; round < 10; ++round) {
+      if (round == 5 && ranks.rank() == 1) throw InputError("the second one");
+      collect<int>(ranks, {round});
+    }
+  };
+  try {
+    on_ranks(3, work);
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("the second one"), std::string::npos);
+  }
 }
 
 TEST(NumberLists, ComeOutAsTheyWentIn) {

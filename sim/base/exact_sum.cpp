@@ -1,5 +1,7 @@
 #include "sim/base/exact_sum.hpp"
 
+#include "sim/base/saved.hpp"
+
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -89,7 +91,7 @@ ExactSum ExactSum::load(const std::vector<double>& state) {
   ExactSum sum;
   sum.finite_ = state.at(0) != 0;
   for (std::size_t i = 0; i < sum.limb_.size(); ++i)
-    sum.limb_[i] = static_cast<std::int64_t>(state.at(i + 1));
+    sum.limb_[i] = static_cast<std::int64_t>(saved_number(state.at(i + 1), -0x1p53, 0x1p53, "a sum"));
   return sum;
 }
 

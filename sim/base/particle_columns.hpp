@@ -13,6 +13,9 @@ namespace sandglass::column {
 inline constexpr ColumnKey<std::uint64_t> id{"id", "1"};
 /// Index into the species of the scene.
 inline constexpr ColumnKey<std::uint8_t> species{"species", "1"};
+/// Those of its species: in files alone, where species differ in them.
+inline constexpr ColumnKey<double> diameter{"diameter", "length", 1};
+inline constexpr ColumnKey<double> mass{"mass", "mass", 1};
 /// Angular velocity.
 template <int D>
 inline constexpr ColumnKey<Spin<D>> spin{"spin", "time^-1"};

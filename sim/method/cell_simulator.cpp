@@ -1,5 +1,6 @@
 #include "sim/method/cell_simulator.hpp"
 
+#include "sim/base/saved.hpp"
 #include "sim/observe/axes.hpp"
 
 namespace sandglass {
@@ -168,12 +169,12 @@ Memory CellSimulator<D>::save() const {
 
 template <int D>
 void CellSimulator<D>::load(const Memory& memory) {
-  store_.set_next_id(static_cast<std::uint64_t>(memory.at("cells/next-id").at(0)));
+  store_.set_next_id(saved_count(memory.at("cells/next-id").at(0)));
   if (cloner_) cloner_->load(memory.at("cloning"));
-  if (motion_parameters_.walls_move()) time_ = memory.at("motion/time").at(0);
+  if (motion_parameters_.walls_move())
+    time_ = saved_number(memory.at("motion/time").at(0), 0, 1e300, "the time");
   if (!motion_parameters_.has_open_side()) return;
-  for (std::size_t i = 0; i < 2 * D; ++i)
-    left_[i / 2][i % 2] = static_cast<std::uint64_t>(memory.at("motion/left").at(i));
+  for (std::size_t i = 0; i < 2 * D; ++i) left_[i / 2][i % 2] = saved_count(memory.at("motion/left").at(i));
 }
 
 template class CellSimulator<2>;

@@ -11,6 +11,10 @@
 
 namespace sandglass {
 
+namespace {
+constexpr double kMostCells = 2147483647;  // as many as a scene may name
+}  // namespace
+
 double edge_for(const Scene& scene, double particles_per_cell) {
   const double particles = static_cast<double>(std::max<std::uint64_t>(particle_count(scene), 1));
   return std::pow(volume(scene.domain) * particles_per_cell / particles, 1.0 / scene.domain.dimension);
@@ -22,10 +26,12 @@ Grid<D> grid_of_cells(const Scene& scene, const std::vector<double>& cells) {
   double total = 1;
   for (std::size_t axis = 0; axis < D; ++axis) {
     total *= cells[axis];
-    if (total > 2e9)
-      throw InputError(fmt::format(
-          "the scene asks for more than {:.3g} cells; raise 'method.cell-size' or lower 'method.cells'",
-          total));
+    if (total > kMostCells)
+      throw InputError(
+          fmt::format("the scene asks for {:.4g} cells or more, and at most {:.0f} are allowed; raise "
+                      "'method.cell-size' or "
+                      "lower 'method.cells'",
+                      total, kMostCells));
     numbers[axis] = static_cast<std::uint32_t>(cells[axis]);
   }
   return Grid<D>(vector_of<D>(scene.domain.size), numbers);

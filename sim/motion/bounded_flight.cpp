@@ -1,6 +1,7 @@
 #include "sim/motion/bounded_flight.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/stop_request.hpp"
 #include "sim/motion/passages.hpp"
 #include "sim/physics/obstacle_flight.hpp"
 #include "sim/physics/plane_flight.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 /// Pieces of a path in one step, without a hit; a step so long, or a particle so fast, is an error.
 constexpr int kMostPieces = 1'000'000;
+constexpr int kBetweenLooks = 4096;
 /// Between obstacles that overlap each other, one pushes into the next.
 constexpr int kMostPushes = 100;
 /// Length of a piece in cells of obstacles: they limit what is searched for a hit.
@@ -53,6 +55,7 @@ void BoundedFlight<D>::fly(Phase<D>& particle, const Body<D>& body, Random& rand
   if (leaves(particle, body, counters.impulses)) return;
   int hits = 0, pieces = 0;
   while (left > 0 && hits < kMostHits) {
+    if (pieces % kBetweenLooks == 0) stop_request.heed();
     const Event event = first_event(particle, time, left);
     left -= event.delay;
     time = end - left;

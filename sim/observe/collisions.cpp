@@ -1,6 +1,7 @@
 #include "sim/observe/collisions.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/saved.hpp"
 #include "sim/observe/axes.hpp"
 #include "sim/observe/sums.hpp"
 
@@ -110,7 +111,7 @@ std::vector<double> ImpactParameter<D>::save() const {
 
 template <int D>
 void ImpactParameter<D>::load(const std::vector<double>& state) {
-  for (std::size_t i = 0; i < bins_; ++i) before_[i] = static_cast<std::uint64_t>(state.at(i));
+  for (std::size_t i = 0; i < bins_; ++i) before_[i] = saved_count(state.at(i));
 }
 
 template <int D>

@@ -74,6 +74,7 @@ class Crossings final : public Observer<D> {
   std::vector<double> measure(const View<D>& view) override;
   bool sums_up() const override { return true; }
   bool measures_at_start() const override { return false; }
+  void start(const View<D>& view) override { measure(view); }
 
  private:
   ObserverSpec spec_;

@@ -11,7 +11,8 @@ Quantity Fields<D>::quantity() const {
   shape.push_back(D + 2);
   return {"fields",
           "length^-D; length time^-1; mass length^2 time^-2",
-          "per bin: number density, mean velocity, granular temperature",
+          "per bin, those along the last axis one after the other: number density, mean velocity, granular "
+          "temperature",
           shape,
           {},
           {},

@@ -1,6 +1,7 @@
 #include "sim/observe/plane.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/saved.hpp"
 
 #include <algorithm>
 
@@ -41,10 +42,9 @@ std::vector<double> Plane::save() const {
 }
 
 void Plane::load(const std::vector<double>& state) {
-  up_ = static_cast<std::uint64_t>(state.at(0));
-  down_ = static_cast<std::uint64_t>(state.at(1));
-  for (std::size_t i = 0; i < histogram_.size(); ++i)
-    histogram_[i] = static_cast<std::uint64_t>(state.at(i + 2));
+  up_ = saved_count(state.at(0));
+  down_ = saved_count(state.at(1));
+  for (std::size_t i = 0; i < histogram_.size(); ++i) histogram_[i] = saved_count(state.at(i + 2));
 }
 
 }  // namespace sandglass

@@ -1,5 +1,7 @@
 #include "sim/observe/tally.hpp"
 
+#include "sim/base/saved.hpp"
+
 #include <algorithm>
 
 namespace sandglass {
@@ -7,6 +9,13 @@ namespace sandglass {
 namespace {
 void add_to(std::vector<std::uint64_t>& counts, const std::vector<std::uint64_t>& others) {
   for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += others.at(i);
+}
+
+/// What was not counted before counts from now on; what nobody counts any more is left.
+void load_counts(const std::vector<double>& saved, std::vector<std::uint64_t>& counts) {
+  if (saved.empty() || counts.empty()) return;
+  if (saved.size() != counts.size()) refuse_saved("counts by bin that are not as many as the bins");
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = saved_count(saved[i]);
 }
 }  // namespace
 
@@ -43,18 +52,15 @@ void Tally::save(Memory& memory) const {
 
 void Tally::load(const Memory& memory) {
   const std::vector<double>& counts = memory.at("tally/counts");
-  collisions = static_cast<std::uint64_t>(counts.at(0));
-  candidates = static_cast<std::uint64_t>(counts.at(1));
-  moves = static_cast<std::uint64_t>(counts.at(2));
-  deepest_overlap = counts.at(3);
+  collisions = saved_count(counts.at(0));
+  candidates = saved_count(counts.at(1));
+  moves = saved_count(counts.at(2));
+  deepest_overlap = saved_number(counts.at(3), -HUGE_VAL, HUGE_VAL, "an overlap");
   transfer = ExactSum::load(memory.at("tally/transfer"));
-  const std::vector<double>& bins = memory.at("tally/impact");
-  impact.assign(bins.begin(), bins.end());
+  load_counts(memory.at("tally/impact"), impact);
   for (std::size_t i = 0; i < cloning.size(); ++i)
     cloning[i] = ExactSum::load(memory.at("tally/cloning-" + std::to_string(i)));
-  if (by_species.empty()) return;
-  const std::vector<double>& pairs = memory.at("tally/by-species");
-  by_species.assign(pairs.begin(), pairs.end());
+  if (memory.contains("tally/by-species")) load_counts(memory.at("tally/by-species"), by_species);
 }
 
 }  // namespace sandglass

@@ -92,6 +92,7 @@ std::vector<double> WallForce<D>::save() const {
 
 template <int D>
 void WallForce<D>::load(const std::vector<double>& state) {
+  if (state.size() != quantity().size() + 1) throw std::out_of_range("wall force");
   before_.assign(state.begin(), state.end() - 1);
   time_ = state.back();
 }

@@ -6,6 +6,8 @@
 #include "sim/record/describe.hpp"
 #include "validation/judge/judge.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -25,6 +27,49 @@ std::string missing_series(const Record& record) {
          list;
 }
 
+/// What the check finds; where the record is too short for it, nothing but that.
+struct Finding {
+  Evidence evidence;
+  Judgement judgement;
+};
+
+Finding find(const CheckInfo& info, const Record& record) {
+  try {
+    const Evidence evidence = run_check(info, record, {});
+    return {evidence, judge(evidence, {}, false)};
+  } catch (const InputError& error) {
+    Evidence nothing;
+    nothing.check = info.name;
+    nothing.value = nothing.standard_error = nothing.expected = std::nan("");
+    return {nothing,
+            {Verdict::inconclusive, nothing.value, nothing.value, error.diagnostics().front().message}};
+  }
+}
+
+nlohmann::json as_json(const Finding& finding) {
+  const auto& [evidence, judgement] = finding;
+  return {{"check", evidence.check},
+          {"verdict", to_string(judgement.verdict)},
+          {"reason", judgement.reason},
+          {"value", evidence.value},
+          {"stderr", evidence.standard_error},
+          {"kind", to_string(evidence.kind)},
+          {"expected", evidence.expected},
+          {"budget", judgement.budget},
+          {"units", evidence.units}};
+}
+
+std::vector<std::string> row_of(const Finding& finding) {
+  const auto& [evidence, judgement] = finding;
+  return {evidence.check,
+          to_string(judgement.verdict),
+          fmt::format("{:.6g}", evidence.value),
+          fmt::format("{:.2g}", evidence.standard_error),
+          expectation_text(evidence),
+          fmt::format("{:.2g}", judgement.budget),
+          evidence.units};
+}
+
 }  // namespace
 
 int check(const Options& options) {
@@ -34,25 +79,18 @@ int check(const Options& options) {
   nlohmann::json json = nlohmann::json::array();
   std::vector<std::vector<std::string>> rows = {
       {"check", "verdict", "value", "standard error", "expected", "budget", "units"}};
-  bool all_hold = true;
+  bool all_hold = record.broken.empty();
+  std::string reasons;
   for (const CheckInfo* info : checks) {
-    const Evidence evidence = run_check(*info, record, {});
-    const Judgement judgement = judge(evidence, {}, false);
-    all_hold = all_hold && !blocks(judgement.verdict);
-    rows.push_back({evidence.check, to_string(judgement.verdict), fmt::format("{:.6g}", evidence.value),
-                    fmt::format("{:.2g}", evidence.standard_error), expectation_text(evidence),
-                    fmt::format("{:.2g}", judgement.budget), evidence.units});
-    json.push_back({{"check", evidence.check},
-                    {"verdict", to_string(judgement.verdict)},
-                    {"reason", judgement.reason},
-                    {"value", evidence.value},
-                    {"stderr", evidence.standard_error},
-                    {"kind", to_string(evidence.kind)},
-                    {"expected", evidence.expected},
-                    {"budget", judgement.budget},
-                    {"units", evidence.units}});
+    const Finding finding = find(*info, record);
+    rows.push_back(row_of(finding));
+    json.push_back(as_json(finding));
+    if (!blocks(finding.judgement.verdict)) continue;
+    all_hold = false;
+    reasons += fmt::format("{}: {}\n", finding.evidence.check, finding.judgement.reason);
   }
-  fmt::print("{}", options.json ? json.dump(2) + "\n" : describe_record(record) + "\n" + columns(rows));
+  fmt::print("{}",
+             options.json ? json.dump(2) + "\n" : describe_record(record) + "\n" + columns(rows) + reasons);
   return all_hold ? all_well : verdict_fails;
 }
 

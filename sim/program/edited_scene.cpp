@@ -25,11 +25,21 @@ Override override_of(const std::string& setting) {
 
 Scene read_edited_scene(const std::string& path, const std::vector<std::string>& settings) {
   if (settings.empty()) return read_scene_file(path);
+  return edited_scene(scene_file_text(path), path, settings);
+}
+
+std::vector<Override> overrides_of(const std::vector<std::string>& settings) {
   std::vector<Override> overrides;
   for (const std::string& setting : settings) overrides.push_back(override_of(setting));
+  return overrides;
+}
+
+Scene edited_scene(const std::string& text, const std::string& name,
+                   const std::vector<std::string>& settings) {
+  const std::vector<Override> overrides = overrides_of(settings);
   std::vector<const Override*> layers;
   for (const Override& one : overrides) layers.push_back(&one);
-  return lay_over(parse_document(scene_file_text(path), path), path, layers);
+  return lay_over(parse_document(text, name), name, layers);
 }
 
 }  // namespace sandglass::program

@@ -1,5 +1,6 @@
 #include "sim/base/error.hpp"
 #include "sim/base/spelling.hpp"
+#include "sim/program/completion.hpp"
 #include "sim/program/failure.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/parallel.hpp"
@@ -18,7 +19,8 @@ using Command = std::function<int(const Options&)>;
 void add_settings(CLI::App& command, Options& options) {
   command
       .add_option("--set", options.settings,
-                  "lay key=value over the scene, as in --set species.restitution=0.9; may be repeated")
+                  "lay key=value over the scene, or over each one, as in --set species.restitution=0.9; may "
+                  "be repeated")
       ->allow_extra_args(false);
 }
 
@@ -35,6 +37,12 @@ void add_help(CLI::App& app, Options& options) {
       ->add_option("word", options.subject, "a section, a key, or section.key (default: all, in brief)");
 }
 
+void add_completion(CLI::App& app, Options& options) {
+  app.add_subcommand("completion", "print a script that completes commands in a shell")
+      ->add_option("shell", options.subject, "bash or zsh: source <(sandglass completion bash)")
+      ->required();
+}
+
 void add_run(CLI::App& app, Options& options) {
   CLI::App* run = app.add_subcommand("run", "run a scene and write its record");
   run->add_option("scene", options.subject, "scene file (TOML)")->required();
@@ -42,11 +50,18 @@ void add_run(CLI::App& app, Options& options) {
                   "record to write (default: from the scene, else its name with .h5)");
   run->add_option("--seed", options.seed, "seed instead of the scene's");
   add_settings(*run, options);
+  run->add_option("-j,--jobs", options.jobs, "replicas at a time, each on a core of its own (default: 1)")
+      ->check(CLI::Range(1, 1024));
   run->add_flag("--overwrite", options.overwrite, "replace a record that exists");
   run->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
   CLI::App* resume = app.add_subcommand("resume", "go on from a checkpoint");
   resume->add_option("checkpoint", options.subject, "checkpoint file")->required();
   resume->add_option("-o,--output", options.output, "record to write (default: as the interrupted run)");
+  resume
+      ->add_option("--set", options.settings,
+                   "change what cannot alter the past: run.duration, method.collapse-guard and its number, "
+                   "observers, cadences of the output")
+      ->allow_extra_args(false);
   resume->add_flag("--overwrite", options.overwrite, "replace a record that exists");
   resume->add_flag("-q,--quiet", options.quiet, "print nothing but errors");
   CLI::App* plan = app.add_subcommand("plan", "say what a scene needs and what is left out");
@@ -63,8 +78,9 @@ void add_judging(CLI::App& app, Options& options) {
   validate->add_option("cases", options.words, "names of cases (default: all)");
   validate->add_option("--tier", options.tier, "smoke, standard or paper")->capture_default_str();
   validate->add_option("--variant", options.variant, "only this method variant");
-  validate->add_option("--jobs", options.jobs, "scenes at a time (default: one a core)");
+  validate->add_option("-j,--jobs", options.jobs, "scenes at a time (default: one a core)");
   validate->add_option("-o,--output", options.output, "folder of the report (default: report)");
+  add_settings(*validate, options);
   validate->add_option("--seed", options.seed, "fresh seeds drawn from this one");
   validate->add_flag("--mutants", options.mutants, "plant faults and demand that the checks catch them");
   validate
@@ -92,9 +108,10 @@ void add_looking(CLI::App& app, Options& options) {
 
 const std::map<std::string, Command>& commands() {
   static const std::map<std::string, Command> all = {
-      {"help", help},        {"new", new_scene},       {"run", run},           {"resume", resume_run},
-      {"plan", show_plan},   {"check", check},         {"validate", validate}, {"list", list},
-      {"law", evaluate_law}, {"export", export_files},
+      {"help", help},           {"new", new_scene},      {"run", run},
+      {"resume", resume_run},   {"plan", show_plan},     {"check", check},
+      {"validate", validate},   {"list", list},          {"law", evaluate_law},
+      {"export", export_files}, {"completion", nullptr},  // of what stands here
   };
   return all;
 }
@@ -118,12 +135,17 @@ int main_of(int argc, char** argv) {
   add_run(app, options);
   add_judging(app, options);
   add_looking(app, options);
+  add_completion(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_well : bad_input;
   }
   options.command = app.get_subcommands().front()->get_name();
+  if (options.command == "completion") {
+    std::printf("%s", completion_script(app, options.subject).c_str());
+    return all_well;
+  }
   const Parallel parallel;
   options.ranks = parallel.ranks();
   try {

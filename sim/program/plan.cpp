@@ -5,6 +5,7 @@
 #include "sim/run/run.hpp"
 #include "sim/scene/method/capabilities.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -51,11 +52,24 @@ std::string joined(const std::vector<std::string>& words) {
   return text.empty() ? "nothing" : text;
 }
 
-std::string work(const Plan& plan) {
+/// Whether something but collisions changes the temperature that the work is reckoned at.
+bool is_driven(const Scene& scene) {
+  const auto drives = [](const Wall& wall) {
+    return wall.amplitude > 0 || wall.surface.rule == SurfaceKind::thermal ||
+           std::ranges::any_of(wall.velocity, [](double v) { return v != 0; });
+  };
+  const bool falls = std::ranges::any_of(scene.gravity, [](double component) { return component != 0; });
+  return falls || !scene.sources.empty() || !scene.inflows.empty() ||
+         std::ranges::any_of(scene.walls, drives);
+}
+
+std::string work(const Plan& plan, const Scene& scene) {
   if (!std::isfinite(plan.steps))
     return "unknown: the duration counts collisions, and none can be expected of the particles at the start";
-  return fmt::format("{:.4g} steps, {:.3g} particle-moves, {:.3g} collisions", plan.steps,
-                     plan.particle_moves, plan.expected_collisions);
+  return fmt::format(
+      "{:.4g} steps, {:.3g} particle-moves, {:.3g} collisions{}", plan.steps, plan.particle_moves,
+      plan.expected_collisions,
+      is_driven(scene) ? ", at the temperature of the start, which what drives the scene will change" : "");
 }
 
 std::string most(const Plan& plan) {
@@ -74,7 +88,7 @@ std::string as_text(const Plan& plan, const Scene& scene) {
                                 plan.collisions_per_particle_and_step)},
       {"memory", memory_words(plan)},
       {"ranks", of_ranks(scene)},
-      {"work", work(plan)},
+      {"work", work(plan, scene)},
       {"columns", joined(plan.columns)},
       {"in use", joined(plan.used)},
       {"left out", joined(plan.left_out)},
@@ -89,7 +103,11 @@ std::string as_text(const Plan& plan, const Scene& scene) {
 
 int show_plan(const Options& options) {
   const Scene scene = read_edited_scene(options.subject, options.settings);
-  const Plan planned = plan(scene);
+  Plan planned = plan(scene);
+  if (exceeds_memory(planned))
+    planned.warnings.push_back(
+        "this does not fit into the memory of this machine: run will refuse it; take fewer "
+        "particles, or sample less often");
   fmt::print("{}", options.json ? as_json(planned, scene).dump(2) + "\n" : as_text(planned, scene));
   return all_well;
 }

@@ -2,6 +2,7 @@
 
 #include "sim/base/error.hpp"
 #include "sim/base/steady.hpp"
+#include "sim/base/thread_ranks.hpp"
 #include "sim/program/edited_scene.hpp"
 #include "sim/program/failure.hpp"
 #include "sim/program/memory.hpp"
@@ -11,8 +12,10 @@
 #include "sim/program/table.hpp"
 #include "sim/record/output_files.hpp"
 #include "sim/record/record.hpp"
+#include "sim/run/change_scene.hpp"
 #include "sim/run/sharing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -106,6 +109,31 @@ void finish(const Options& options, const Record& record, const std::string& pat
 bool is_first(const Options& options) { return options.ranks == nullptr || options.ranks->is_first(); }
 bool is_quiet(const Options& options) { return options.quiet || !is_first(options); }
 
+std::string broken_path(const std::string& record) {
+  return (record.ends_with(".h5") ? record.substr(0, record.size() - 3) : record) + ".broken.h5";
+}
+
+/// From where a run that has ended early can go on.
+std::string way_on(const std::string& checkpoint) {
+  std::error_code none;
+  if (std::filesystem::exists(checkpoint, none))
+    return fmt::format("go on from the last checkpoint with: sandglass resume {}", checkpoint);
+  return "there is no checkpoint to go on from; 'output.checkpoint' in the scene asks for some";
+}
+
+/// How a run ended that has not come to its end; `kept` names the file of what it has, if any.
+Failure early_end(const Options& options, const std::string& checkpoint, const std::string& kept) {
+  Failure failure = current_failure();
+  if (failure.words.empty()) return failure;
+  if (!kept.empty())
+    failure.words += fmt::format("\nwhat the run has so far is kept in {}, marked as broken", kept);
+  if (!failure.everywhere && (options.ranks != nullptr || options.jobs > 1))
+    failure.words += "; replicas that run side by side leave no checkpoint";
+  else
+    failure.words += fmt::format("\n{}", way_on(checkpoint));
+  return failure;
+}
+
 /// Runs `work`, which returns the record, with signals caught and progress shown, and writes the record.
 template <class Work>
 int run_to_record(const Options& options, const Scene& scene, const std::string& path, Work work) {
@@ -119,18 +147,24 @@ int run_to_record(const Options& options, const Scene& scene, const std::string&
   RunOptions run_options;
   run_options.checkpoint_path = checkpoint_path(path);
   run_options.progress = line.callback();
-  run_options.stop = &stop_on_signal();
+  run_options.stop = &stop_on_signal(is_quiet(options));
   run_options.ranks = options.ranks;
+  std::string kept;
+  run_options.keep_broken = [&](const Record& broken) {
+    kept = write_record(broken_path(path), broken, options.overwrite ? Existing::replace : Existing::keep);
+  };
+  std::optional<Record> record;
   try {
-    const Record record = work(run_options);
-    if (is_first(options)) finish(options, record, path);
+    record = work(run_options);
   } catch (const Interrupted& stop) {
-    if (!stop.everywhere())
-      throw Interrupted(fmt::format("{}; ranks that share replicas write no checkpoint", stop.what()), false);
-    const std::string words =
-        fmt::format("{}; go on with: sandglass resume {}", stop.what(), run_options.checkpoint_path);
-    throw Failure{is_first(options) ? words : "", run_broke, true};
+    Failure failure = early_end(options, run_options.checkpoint_path, kept);
+    if (stop.everywhere() && !is_first(options)) failure.words.clear();
+    throw failure;
+  } catch (const std::exception&) {
+    if (kept.empty()) throw;
+    throw early_end(options, run_options.checkpoint_path, kept);
   }
+  if (is_first(options)) finish(options, *record, path);
   return all_well;
 }
 
@@ -153,9 +187,36 @@ Record read_checkpoint(const Options& options) {
   if (!checkpoint.state)
     throw InputError(fmt::format("{}: is a finished record, not a checkpoint; there is nothing to resume",
                                  options.subject));
+  if (!options.settings.empty()) {
+    const Scene changed = edited_scene(checkpoint.scene, options.subject, options.settings);
+    std::vector<std::string> words;
+    for (const std::string& setting : options.settings) words.push_back(fmt::format("--set {}", setting));
+    change_scene(checkpoint, changed, words);
+  }
   const Scene scene = read_scene_text(checkpoint.scene, options.subject);
   if (options.ranks != nullptr) sharing_of(scene, options.ranks->count(), true);
   return checkpoint;
+}
+
+/// Replicas on threads, which share them as ranks do: the record is that of one.
+Record run_side_by_side(const Scene& scene, const RunOptions& options, int jobs) {
+  if (options.ranks != nullptr)
+    throw InputError(
+        "-j runs replicas on threads of one process: leave it out under mpirun, which shares them too");
+  if (scene.output.checkpoint)
+    throw InputError(
+        "-j runs replicas side by side, and a checkpoint holds one of them: leave out -j or "
+        "'output.checkpoint'");
+  const auto threads = std::min(scene.run.replicas, static_cast<std::uint64_t>(jobs));
+  Record record;
+  on_ranks(threads, [&](Communicator& ranks) {
+    RunOptions own = options;
+    own.ranks = &ranks;
+    if (!ranks.is_first()) own.progress = {};
+    Record result = run_scene(scene, own);
+    if (ranks.is_first()) record = std::move(result);
+  });
+  return record;
 }
 
 }  // namespace
@@ -169,8 +230,10 @@ int run(const Options& options) {
   if (options.seed) scene.run.seed = *options.seed;
   const std::string path = record_path(options, scene);
   scene.output.record = path;
-  return run_to_record(options, scene, path,
-                       [&](const RunOptions& run_options) { return run_scene(scene, run_options); });
+  return run_to_record(options, scene, path, [&](const RunOptions& run_options) {
+    return options.jobs > 1 ? run_side_by_side(scene, run_options, options.jobs)
+                            : run_scene(scene, run_options);
+  });
 }
 
 int resume_run(const Options& options) {

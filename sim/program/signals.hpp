@@ -4,7 +4,8 @@
 
 namespace sandglass::program {
 
-/// Catches SIGINT and SIGTERM: the first sets the flag that is returned, the second ends the program at once.
-const std::atomic<bool>& stop_on_signal();
+/// Catches SIGINT and SIGTERM: the first sets the flag that is returned and says so on standard error unless `quiet`, the
+/// second ends the program at once.
+const std::atomic<bool>& stop_on_signal(bool quiet);
 
 }  // namespace sandglass::program

@@ -1,4 +1,5 @@
 #include "sim/base/error.hpp"
+#include "sim/program/edited_scene.hpp"
 #include "sim/program/folders.hpp"
 #include "sim/program/options.hpp"
 #include "sim/program/scene_page.hpp"
@@ -42,7 +43,8 @@ SuiteOptions suite_options(const Options& options) {
   suite.keys = options.keys;
   if (options.keys) suite.known_keys = known_keys();
   suite.seed = options.seed;
-  suite.stop = &stop_on_signal();
+  suite.settings = overrides_of(options.settings);
+  suite.stop = &stop_on_signal(options.quiet);
   return suite;
 }
 

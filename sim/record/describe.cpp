@@ -47,6 +47,9 @@ std::string trajectory_line(const std::vector<Frame>& frames, int dimension) {
 
 std::string describe_record(const Record& record) {
   std::string text = origin(record.provenance);
+  if (!record.broken.empty()) text += fmt::format("BROKEN RUN: {}\n", record.broken);
+  for (const std::string& warning : record.warnings) text += fmt::format("warning: {}\n", warning);
+  for (const std::string& change : record.changes) text += fmt::format("resumed with {}\n", change);
   text += fmt::format("box {} ({}), {} replicas\n", fmt::join(record.box_size, " x "),
                       fmt::join(record.boundary, ", "), record.replicas.size());
   text += series_lines(record);

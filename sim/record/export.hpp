@@ -4,7 +4,7 @@
 
 namespace sandglass {
 
-/// What a record's particles look like; a record itself holds it only inside its scene text.
+/// What a record's particles look like where all are alike; the record has columns for what species differ in.
 struct ParticleShape {
   double diameter = 1;  ///< [length]
 };

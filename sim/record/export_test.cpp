@@ -106,7 +106,50 @@ TEST(Export, XyzAndVtpHoldEveryColumn) {
   EXPECT_THAT(frame, HasSubstr("\"Float64\" Name=\"spin\" NumberOfComponents=\"3\""));
 }
 
-TEST(Export, MdanalysisTakesIdsAlone) {
+/// What species differ in takes the place of what all have alike.
+TEST(Export, DiametersOfAMixtureReachEveryFormat) {
+  const ScratchFolder folder;
+  Record record = record_with_columns();
+  for (Frame& frame : record.trajectory)
+    for (std::size_t i = 0; i < frame.particles(2); ++i) {
+      frame.columns.append(column::diameter, i % 2 == 0 ? 2.0 : 0.5);
+      frame.columns.append(column::mass, 3.0);
+    }
+  export_record(record, "xyz", folder / "run.xyz");
+  EXPECT_THAT(contents(folder / "run.xyz"), HasSubstr(":spin:R:3:mass:R:1 "));
+  EXPECT_THAT(contents(folder / "run.xyz"),
+              HasSubstr("\nHe 2.25 3.25 0 0.2 0.16666666666666666 0 0.25 101 1 "));
+  export_record(record, "csv", folder / "run.csv");
+  EXPECT_THAT(
+      contents(folder / "run-particles.csv"),
+      HasSubstr("step,time,position-x,position-y,velocity-x,velocity-y,id,species,spin-x,spin-y,spin-z,"
+                "diameter,mass\n300,30,0.25,1.25,0.3333333333333333,0.25,100,0,0.5,-1,0,2,3\n"));
+  export_record(record, "vtp", folder / "run.pvd");
+  const std::string frame = contents(folder / "run-000000.vtp");
+  EXPECT_EQ(frame.find("Name=\"diameter\""), frame.rfind("Name=\"diameter\""));
+}
+
+TEST(Export, OfACheckpointShowsItsState) {
+  const ScratchFolder folder;
+  Record record = sample_record();
+  record.trajectory.clear();
+  export_record(record, "xyz", folder / "run.xyz");
+  EXPECT_THAT(contents(folder / "run.xyz"), HasSubstr("Step=77"));
+  export_record(record, "csv", folder / "run.csv");
+  EXPECT_THAT(contents(folder / "run.csv"), HasSubstr(",2,20,0.2,"));  // the unfinished replica
+  EXPECT_THAT(contents(folder / "run-particles.csv"), HasSubstr("\n77,7.7,"));
+}
+
+TEST(Export, ATableOfNothingIsRefused) {
+  const ScratchFolder folder;
+  Record record = sample_record();
+  record.trajectory.clear();
+  record.state.reset();
+  for (Replica& replica : record.replicas) replica.series.clear();
+  EXPECT_THAT(refusal(record, "csv", folder / "run.csv"), HasSubstr("neither series nor particles"));
+}
+
+TEST(Export, MdanalysisShowsOtherColumnsAsObservables) {
   const ScratchFolder folder;
   Record record = record_with_columns();
   record.trajectory.resize(1);
@@ -116,6 +159,9 @@ TEST(Export, MdanalysisTakesIdsAlone) {
   const hdf5::Reader root(hdf5::Handle(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose), "/");
   EXPECT_EQ(root.group("particles").group("trajectory").names(),
             (std::vector<std::string>{"box", "count", "id", "position", "velocity"}));
+  EXPECT_EQ(root.group("observables").names(), (std::vector<std::string>{"species", "spin"}));
+  EXPECT_EQ(root.group("observables").group("species").names(),
+            (std::vector<std::string>{"step", "time", "value"}));
 }
 
 TEST(Export, MdanalysisIsPaddedToThreeDimensions) {
@@ -154,6 +200,7 @@ TEST(Export, RefusesWhatItCannotDo) {
   Record record = sample_record();
   EXPECT_THAT(refusal(record, "vtq", folder / "run"), HasSubstr("did you mean 'vtp'"));
   record.trajectory.clear();
+  record.state.reset();
   for (const std::string format : {"vtp", "xyz", "mdanalysis"})
     EXPECT_THAT(refusal(record, format, folder / "run"),
                 HasSubstr("add 'trajectory = { steps = 100 }' to [output]"));

@@ -32,6 +32,9 @@ void write_sandglass(const hdf5::Writer& file, const Record& record) {
   const hdf5::Writer group = file.group(schema::names::root);
   group.attribute(schema::names::version, std::vector<int>{schema::version_major, schema::version_minor});
   group.text(schema::names::scene, record.scene);
+  group.attribute(schema::names::warnings, record.warnings);
+  group.attribute(schema::names::changes, record.changes);
+  group.attribute(schema::names::broken, record.broken);
   file.group(schema::names::parameters).link(schema::names::scene, group, schema::names::scene);
   schema::write_provenance(group.group(schema::names::provenance), record.provenance);
   schema::write_replicas(group, record.replicas);
@@ -51,6 +54,9 @@ Record read_hdf5(const std::string& path) {
   const hdf5::Reader all = top.group(schema::names::particles).group(schema::names::all);
   Record record;
   record.scene = group.text(schema::names::scene);
+  record.warnings = group.words(schema::names::warnings);
+  record.changes = group.words(schema::names::changes);
+  record.broken = group.word(schema::names::broken);
   record.provenance = schema::read_provenance(group.group(schema::names::provenance));
   schema::read_box(all.group(schema::names::box), record);
   record.replicas = schema::read_replicas(group);

@@ -49,7 +49,8 @@ struct State {
   std::vector<Series> series;  ///< samples of the unfinished replica so far
   std::map<std::string, double> counters;
   std::map<std::string, std::vector<double>>
-      memory;  ///< running sums of observers and of the method, by name
+      memory;            ///< running sums of observers and of the method, by name
+  bool changed = false;  ///< goes on with other observers than it was saved with; not kept in the file
 };
 
 /// The result of one run: everything that a check, a figure or a restart needs.
@@ -65,6 +66,9 @@ struct Record {
   std::map<std::string, double>
       timings;                 ///< "cpu-seconds", "wall-seconds", "peak-bytes", "bytes-per-particle", ...
   std::optional<State> state;  ///< present in checkpoints only
+  std::vector<std::string> warnings;  ///< of the plan
+  std::vector<std::string> changes;   ///< that were made to the scene when the run was resumed, in words
+  std::string broken;                 ///< why the run ended before its time, in words; empty when it did not
 };
 
 /// Writes to a new file beside `path`, flushes it to disk and renames it: a crash leaves the previous file

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/base/saved.hpp"
+
 #include <cstdint>
 #include <vector>
 
@@ -30,11 +32,11 @@ class CollisionCount {
             static_cast<double>(seen_)};
   }
   void load(const std::vector<double>& state) {
-    settled_ = state.at(0);
-    counted_ = static_cast<std::uint64_t>(state.at(1));
-    particles_ = static_cast<std::uint64_t>(state.at(2));
-    last_ = state.at(3);
-    seen_ = static_cast<std::uint64_t>(state.at(4));
+    settled_ = saved_number(state.at(0), 0, 1e300, "collisions per particle");
+    counted_ = saved_count(state.at(1));
+    particles_ = saved_count(state.at(2));
+    last_ = saved_number(state.at(3), 0, 1e300, "collisions per particle");
+    seen_ = saved_count(state.at(4));
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "sim/run/equilibrate.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/stop_request.hpp"
 #include "sim/run/time_step.hpp"
 
 #include <cmath>
@@ -28,6 +29,7 @@ void collide(Simulator<D>& gas, const Setup<D>& setup, double wanted) {
   TimeStepper<D> stepper(setup);
   std::uint64_t seen = 0, last = 0;  // collisions, and the step of the last one
   for (std::uint64_t step = 0; static_cast<double>(gas.tally().collisions) < wanted; ++step) {
+    stop_request.heed();
     gas.step(fixed > 0 ? fixed : stepper.next(gas.view(), step), step);
     if (gas.tally().collisions > seen) last = step;
     seen = gas.tally().collisions;

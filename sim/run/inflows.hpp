@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/base/saved.hpp"
 #include "sim/run/placement_room.hpp"
 #include "sim/run/schedule.hpp"
 #include "sim/run/setup.hpp"
@@ -24,7 +25,10 @@ class Inflows {
   std::map<std::string, double> counters() const;
   /// Particles let in so far, by inflow.
   const std::vector<double>& entered() const { return entered_; }
-  void load(const std::vector<double>& entered) { entered_ = entered; }
+  void load(const std::vector<double>& entered) {
+    for (std::size_t i = 0; i < entered_.size(); ++i)
+      entered_[i] = static_cast<double>(saved_count(entered.at(i)));
+  }
 
  private:
   double due(std::size_t index, const Clock& clock, double dt, double end) const;

@@ -1,6 +1,7 @@
 #include "sim/run/placement_packing.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/stop_request.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -110,6 +111,7 @@ std::vector<Vector<D>> pack_randomly(const Room<D>& room, std::span<const double
   Packing<D> packing(room, 2 * *std::ranges::max_element(radii), radii.size());
   std::size_t placed = 0;
   for (std::size_t i : largest_first(radii)) {
+    stop_request.heed();
     Random random(key, i);
     Vector<D> point = uniform_point<D>(room, radii[i], random);
     for (int tries = 0; !packing.add(point, radii[i]); ++tries) {

@@ -40,6 +40,7 @@ void expect_work(const Setup<D>& setup, Plan& plan) {
   if (!std::isfinite(plan.steps)) plan.particle_moves = plan.expected_collisions = HUGE_VAL;
 }
 
+/// Intervals of the cadence that the steps expected hold.
 double samples_of(const Cadence& cadence, const Plan& plan) {
   const double every = cadence.every;
   if (cadence.unit == Cadence::Unit::time) return plan.steps * plan.time_step / every;
@@ -53,7 +54,10 @@ template <int D>
 double bytes_of_samples(const Setup<D>& setup, const Plan& plan) {
   double bytes = 0;
   for (std::size_t i = 0; i < setup.observers.size(); ++i) {
-    const double samples = 1 + std::min(samples_of(setup.scene.observe[i].cadence, plan), plan.steps);
+    const Observe& observe = setup.scene.observe[i];
+    const double left_out = observe.start ? 1 / samples_of(*observe.start, plan) : 0;
+    const double samples =
+        1 + std::min(samples_of(observe.cadence, plan), plan.steps) * std::max(0.0, 1 - left_out);
     for (const auto& observer : make_observers<D>(setup.observers[i], 0))
       bytes += samples * sizeof(double) * static_cast<double>(observer->quantity().size() + 2);
   }
@@ -110,15 +114,28 @@ void weigh_by_region(const Setup<D>& setup, Plan& plan) {
   plan.most_particles = static_cast<std::uint64_t>(real / setup.weights->lightest());
 }
 
+/// A run takes a step at least, whose end is that of the run where the step knows it.
+void warn_of_long_step(const Scene& scene, Plan& plan) {
+  if (!(plan.steps < 1)) return;
+  plan.warnings.push_back(
+      fmt::format("'run.duration' is {:.2g} time steps long: {}; shorten 'method.time-step'", plan.steps,
+                  scene.run.duration.time ? "the only step is cut" : "the only step runs beyond the end"));
+  plan.particle_moves /= plan.steps;
+  plan.expected_collisions /= plan.steps;
+  plan.steps = 1;
+}
+}  // namespace
+
 template <int D>
-Plan plan_of(const Scene& scene) {
-  const Setup<D> setup = set_up<D>(scene, {});
+Plan plan_of(const Setup<D>& setup) {
+  const Scene& scene = setup.scene;
   Plan plan;
   plan.method = scene.method.preset;
   plan.replicas = scene.run.replicas;
   plan.particles = setup.particles + added_count(scene);
   if (setup.weights) weigh_by_region(setup, plan);
   expect_work(setup, plan);
+  warn_of_long_step(scene, plan);
   plan.bytes_of_samples = bytes_of_samples(setup, plan);
   setup.method->plan(plan);
   list_features(setup, plan);
@@ -126,8 +143,11 @@ Plan plan_of(const Scene& scene) {
   return plan;
 }
 
-}  // namespace
+template Plan plan_of<2>(const Setup<2>&);
+template Plan plan_of<3>(const Setup<3>&);
 
-Plan plan(const Scene& scene) { return scene.domain.dimension == 2 ? plan_of<2>(scene) : plan_of<3>(scene); }
+Plan plan(const Scene& scene) {
+  return scene.domain.dimension == 2 ? plan_of(set_up<2>(scene, {})) : plan_of(set_up<3>(scene, {}));
+}
 
 }  // namespace sandglass

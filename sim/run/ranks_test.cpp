@@ -1,5 +1,5 @@
 #include "sim/base/error.hpp"
-#include "sim/base/test_ranks.hpp"
+#include "sim/base/thread_ranks.hpp"
 #include "sim/run/sharing.hpp"
 #include "sim/run/test_same.hpp"
 

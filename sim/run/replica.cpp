@@ -1,6 +1,8 @@
 #include "sim/run/replica.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/saved.hpp"
+#include "sim/run/check_state.hpp"
 #include "sim/run/frame.hpp"
 #include "sim/run/initial.hpp"
 
@@ -43,8 +45,10 @@ ReplicaRun<D>::ReplicaRun(const Setup<D>& setup, const Streams& streams, const S
   for (std::size_t i = 0; i < setup.observers.size(); ++i) {
     for (auto& observer : make_observers<D>(setup.observers[i], plane)) {
       Quantity quantity = observer->quantity();
-      watches_.push_back(
-          {std::move(observer), Schedule(scene_.observe[i].cadence), {std::move(quantity), {}, {}, {}}});
+      watches_.push_back({std::move(observer),
+                          Schedule(scene_.observe[i].cadence),
+                          scene_.observe[i].start,
+                          {std::move(quantity), {}, {}, {}}});
     }
     plane += needs_of(setup.observers[i]).plane ? 1 : 0;
   }
@@ -62,12 +66,16 @@ void ReplicaRun<D>::start() {
   simulator_->assign(initial_particles(setup_, streams_));
   count();
   collisions_ = {totals_.particles};
-  for (Watch& watch : watches_) {
-    if (const View<D> now = view_for(*watch.observer); observes() || watch.observer->sums_up())
-      watch.observer->start(now);
-    if (watch.observer->measures_at_start()) sample(watch);
-  }
+  for (Watch& watch : watches_) begin(watch);
   if (frames_) take_frame();
+}
+
+/// At time zero, where it refuses what it cannot measure, and again where its samples are to start later.
+template <int D>
+void ReplicaRun<D>::begin(Watch& watch) {
+  if (const View<D> now = view_for(*watch.observer); observes() || watch.observer->sums_up())
+    watch.observer->start(now);
+  if (!watch.start && watch.observer->measures_at_start()) sample(watch);
 }
 
 template <int D>
@@ -105,8 +113,9 @@ double ReplicaRun<D>::time_after(double dt) const {
 
 template <int D>
 void ReplicaRun<D>::step() {
-  const double dt = stepper_.looks(clock_.step) ? stepper_.next(completed(simulator_->view()), clock_.step)
-                                                : stepper_.current();
+  double dt = stepper_.looks(clock_.step) ? stepper_.next(completed(simulator_->view()), clock_.step)
+                                          : stepper_.current();
+  if (scene_.run.duration.time) dt = std::min(dt, *scene_.run.duration.time);
   const double end = time_after(dt);
   if (inflows_) inflows_->enter(*simulator_, clock_, dt, end);
   simulator_->step(dt, clock_.step);
@@ -125,8 +134,15 @@ void ReplicaRun<D>::step() {
 
 template <int D>
 void ReplicaRun<D>::sample_what_is_due() {
-  for (Watch& watch : watches_)
-    if (watch.schedule.due(clock_)) sample(watch);
+  for (Watch& watch : watches_) {
+    const bool due = watch.schedule.due(clock_);
+    if (watch.start && reached(*watch.start, clock_)) {
+      watch.start.reset();
+      begin(watch);
+    } else if (due && !watch.start) {
+      sample(watch);
+    }
+  }
   if (frames_ && frames_->due(clock_)) take_frame();
 }
 
@@ -195,10 +211,25 @@ std::map<std::string, double> ReplicaRun<D>::counters() {
   return counters;
 }
 
+/// The last checkpoint that can be gone on from stays.
+template <int D>
+void ReplicaRun<D>::refuse_broken_state(const View<D>& view) const {
+  const auto whole = [](const Phase<D>& particle) {
+    return particle.position.allFinite() && particle.velocity.allFinite();
+  };
+  if (!std::ranges::all_of(view.particles, whole))
+    throw RunError(
+        fmt::format("step {}, time {:.6g}, replica {}: a position or a velocity is not a finite number; the "
+                    "state is broken "
+                    "(time step too long, or a force without bound?)",
+                    clock_.step, clock_.time, streams_.replica));
+}
+
 template <int D>
 State ReplicaRun<D>::save() {
   const View<D> now = view();
   if (!observes()) return {};
+  refuse_broken_state(now);
   State state{clock_.step, clock_.time, frame_of(now), {}, counters(), simulator_->save()};
   simulator_->tally().save(state.memory);
   state.memory["time-step"] = stepper_.save();
@@ -218,24 +249,57 @@ State ReplicaRun<D>::save() {
 
 template <int D>
 void ReplicaRun<D>::load(const State& state) {
+  require_sound(state, scene_);
   simulator_->restore(particles_of<D>(state.particles), state.memory);
   simulator_->tally().load(state.memory);
   stepper_.load(state.memory.at("time-step"));
   collisions_.load(state.memory.at("collisions"));
   if (sources_) sources_->load(state.memory.at("sources"));
   if (inflows_) inflows_->load(state.memory.at("inflows"));
-  if (impulses_) impulses_->load(state.memory.at("wall-impulses"));
+  const auto known = [&](const std::string& name) { return !state.changed || state.memory.contains(name); };
+  if (impulses_ && known("wall-impulses")) impulses_->load(state.memory.at("wall-impulses"));
   for (std::size_t i = 0; i < planes_.size(); ++i)
-    planes_[i].load(state.memory.at(fmt::format("plane-{}", i)));
+    if (const std::string name = fmt::format("plane-{}", i); known(name))
+      planes_[i].load(state.memory.at(name));
   if (!observes()) simulator_->clear_counts();
   count();
   clock_ = {state.step, state.time, collisions_.per_particle(totals_.collisions, totals_.particles)};
-  for (std::size_t i = 0; i < watches_.size(); ++i) {
-    watches_[i].observer->load(state.memory.at(fmt::format("observer-{}", i)));
-    watches_[i].series = state.series.at(i);
-    watches_[i].schedule.resume(clock_);
-  }
+  if (ranks_ == nullptr) refuse_other_particles(state.particles);
+  for (Watch& watch : watches_) load(watch, state);
   if (frames_) frames_->resume(clock_);
+}
+
+/// What a method keeps of its particles beside the frame must be the same particles.
+template <int D>
+void ReplicaRun<D>::refuse_other_particles(const Frame& saved) {
+  const Frame loaded = frame_of(view());
+  const auto differs = [&](const NamedColumn& column) {
+    const NamedColumn* known = saved.columns.find(column.info);
+    return known == nullptr || known->numbers != column.numbers;
+  };
+  if (loaded.position != saved.position || loaded.velocity != saved.velocity ||
+      std::ranges::any_of(loaded.columns.all(), differs))
+    refuse_saved("particles of the method that are not those of the state");
+}
+
+/// By its name: one that was not there before begins now.
+template <int D>
+void ReplicaRun<D>::load(Watch& watch, const State& state) {
+  watch.schedule.resume(clock_);
+  if (watch.start && reached(*watch.start, clock_)) watch.start.reset();
+  const Quantity& quantity = watch.series.quantity;
+  const auto name = [](const Series& series) { return series.quantity.name; };
+  const auto series = std::ranges::find(state.series, quantity.name, name);
+  if (series == state.series.end()) {
+    if (!state.changed) throw std::out_of_range(quantity.name);
+    return begin(watch);
+  }
+  if (series->quantity.shape != quantity.shape || series->quantity.axis != quantity.axis)
+    throw InputError(fmt::format(
+        "the samples of '{}' in the checkpoint have other bins than the scene asks for; keep those",
+        quantity.name));
+  watch.observer->load(state.memory.at(fmt::format("observer-{}", series - state.series.begin())));
+  watch.series = *series;
 }
 
 template <int D>

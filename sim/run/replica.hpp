@@ -43,6 +43,7 @@ class ReplicaRun {
   struct Watch {
     std::unique_ptr<Observer<D>> observer;
     Schedule schedule;
+    std::optional<Cadence> start;  ///< still to come
     Series series;
   };
 
@@ -58,9 +59,13 @@ class ReplicaRun {
   bool observes() const { return ranks_ == nullptr || ranks_->is_first(); }
   double time_after(double dt) const;
   void load(const State& state);
+  void load(Watch& watch, const State& state);
+  void refuse_other_particles(const Frame& saved);
+  void refuse_broken_state(const View<D>& view) const;
   View<D> completed(View<D> view) const;
   View<D> view() { return completed(simulator_->view_of_all()); }
   View<D> view_for(const Observer<D>& observer);
+  void begin(Watch& watch);
   void sample(Watch& watch);
   void sample_what_is_due();
   void refuse_standstill() const;

@@ -1,5 +1,6 @@
 #include "sim/run/run.hpp"
 
+#include "sim/base/stop_request.hpp"
 #include "sim/record/provenance.hpp"
 #include "sim/run/estimates.hpp"
 #include "sim/run/pace.hpp"
@@ -15,6 +16,9 @@
 namespace sandglass {
 
 namespace {
+
+constexpr std::size_t kLongestReason =
+    10'000;  // an attribute of a file has room for six times as many letters
 
 double thread_cpu_seconds() {
   timespec time{};
@@ -64,12 +68,21 @@ class Runner {
         watch_(is_first() ? record_.timings : std::map<std::string, double>{}),
         pace_(options.progress) {
     record_.scene = write_scene(scene_);
+    if (!record_.state) record_.warnings = plan_of(setup_).warnings;
     if (scene.output.checkpoint) checkpoints_.emplace(*scene.output.checkpoint);
     for (const Replica& replica : record_.replicas) moves_before_ += replica.counters.at("particle-moves");
   }
 
   Record run() {
-    while (replica() < scene_.run.replicas) run_replica();
+    while (replica() < scene_.run.replicas) {
+      try {
+        run_replica();
+      } catch (const StoppedWithinStep&) {
+        throw Interrupted(fmt::format("stopped before the first step of replica {} of {}", replica() + 1,
+                                      scene_.run.replicas),
+                          false);
+      }
+    }
     if (sharing_ == Sharing::replicas)
       record_.replicas = gather_replicas(*options_.ranks, std::move(record_.replicas));
     if (is_first()) record_.estimates = estimate(record_.replicas, cumulative_);
@@ -94,11 +107,41 @@ class Runner {
     record_.state.reset();
     if (checkpoints_) checkpoints_->resume(replica.clock());
     cumulative_ = replica.cumulative();
-    while (!replica.done()) {
-      replica.step();
-      attend(replica);
+    try {
+      while (!replica.done()) {
+        replica.step();
+        attend(replica);
+      }
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const std::exception& error) {
+      const std::string where = place(replica.clock());
+      keep_broken(replica, fmt::format("{}: {}", where, error.what()));
+      if (dynamic_cast<const StoppedWithinStep*>(&error) == nullptr) throw;
+      throw Interrupted("stopped within the step after " + where + ", which did not end in time", false);
     }
     finish(replica);
+  }
+
+  std::string place(const Clock& clock) const {
+    return fmt::format("step {}, time {:.6g}, replica {} of {}", clock.step, clock.time, this->replica() + 1,
+                       scene_.run.replicas);
+  }
+
+  /// What it has up to the last step that ended. Nothing may hide the error that broke it. Where ranks share the work the
+  /// others know nothing of it yet.
+  void keep_broken(ReplicaRun<D>& replica, const std::string& reason) {
+    if (!options_.keep_broken || sharing_ != Sharing::none) return;
+    try {
+      Record broken = std::move(record_);
+      take_frames(broken, replica);
+      broken.replicas.push_back(replica.result());
+      broken.estimates = estimate(broken.replicas, cumulative_);
+      watch_.read(broken.timings);
+      broken.broken = reason.substr(0, kLongestReason);
+      options_.keep_broken(broken);
+    } catch (const std::exception&) {
+    }
   }
 
   /// What may happen between two steps: checkpoint, request to stop, progress.
@@ -164,10 +207,7 @@ class Runner {
     const bool everywhere = sharing_ != Sharing::replicas;
     if (everywhere) write_checkpoint(replica);
     any_rank(true);  // the others wait for the checkpoint
-    const Clock& clock = replica.clock();
-    throw Interrupted(fmt::format("stopped at step {}, time {:.6g}, replica {} of {}", clock.step, clock.time,
-                                  this->replica() + 1, scene_.run.replicas),
-                      everywhere);
+    throw Interrupted("stopped at " + place(replica.clock()), everywhere);
   }
 
   void report(ReplicaRun<D>& replica) {

@@ -31,6 +31,8 @@ struct RunOptions {
   std::string checkpoint_path;  ///< empty: no checkpoints
   std::function<void(const Progress&)> progress;  ///< called a few times a second at most; may be empty
   const std::atomic<bool>* stop = nullptr;  ///< set by a signal: write a checkpoint, then throw Interrupted
+  /// Takes what a run has when it breaks, marked as broken; the error follows. May be empty.
+  std::function<void(const Record&)> keep_broken;
   /// Share the work; each of them calls the same, and the first gets the record. Null: this process alone.
   Communicator* ranks = nullptr;
 };

@@ -44,6 +44,11 @@ class Schedule {
   double passed_ = 0;
 };
 
+/// Whether the clock has come to a moment, given as time, steps or collisions from zero.
+inline bool reached(const Cadence& moment, const Clock& clock) {
+  return clock.reading(moment.unit) >= moment.every * (1 - 1e-12);
+}
+
 /// The duration as a cadence whose first mark ends the run.
 inline Cadence end_of(const Duration& duration) {
   if (duration.time) return {Cadence::Unit::time, *duration.time};

@@ -27,6 +27,10 @@ struct Setup {
 template <int D>
 Setup<D> set_up(const Scene& scene, const std::string& planted_fault);
 
+/// What it needs and costs, as plan().
+template <int D>
+Plan plan_of(const Setup<D>& setup);
+
 /// What all observers together need.
 Needs needs_of(const std::vector<ObserverSpec>& observers);
 

@@ -1,6 +1,7 @@
 #include "sim/run/sources.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/saved.hpp"
 #include "sim/method/from_scene.hpp"
 #include "sim/observe/axes.hpp"
 
@@ -107,9 +108,10 @@ std::vector<double> Sources<D>::save() const {
 
 template <int D>
 void Sources<D>::load(const std::vector<double>& state) {
-  for (std::size_t i = 0; i < poured_.size(); ++i) poured_[i] = state.at(i);
+  for (std::size_t i = 0; i < poured_.size(); ++i) poured_[i] = static_cast<double>(saved_count(state.at(i)));
   if (!room_.hard) return;
-  for (std::size_t i = 0; i < refusals_.size(); ++i) refusals_[i] = state.at(poured_.size() + i);
+  for (std::size_t i = 0; i < refusals_.size(); ++i)
+    refusals_[i] = static_cast<double>(saved_count(state.at(poured_.size() + i)));
 }
 
 template <int D>

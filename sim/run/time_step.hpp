@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/base/saved.hpp"
 #include "sim/run/setup.hpp"
 
 #include <cstdint>
@@ -20,7 +21,9 @@ class TimeStepper {
   bool looks(std::uint64_t step) const { return fixed_ == 0 && (step % refresh_ == 0 || current_ == 0); }
   double current() const { return fixed_ > 0 ? fixed_ : current_; }
   std::vector<double> save() const { return {current_}; }
-  void load(const std::vector<double>& state) { current_ = state.at(0); }
+  void load(const std::vector<double>& state) {
+    current_ = saved_number(state.at(0), 0, 1e300, "a time step");
+  }
 
  private:
   double for_collisions(const View<D>& view) const;

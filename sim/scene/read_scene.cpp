@@ -57,8 +57,7 @@ Scene read_tables(Table& root, Diagnostics& diagnostics) {
   const bool boxed = proportions.empty();
   const bool given = read_initial_section(root, scene.initial);
   const int dimension = root.clean("domain.dimension") ? scene.domain.dimension : 0;
-  for (Table& table : root.tables("species"))
-    read_species(table, dimension, given, boxed, scene.species.emplace_back());
+  for (Table& table : root.tables("species")) read_species(table, dimension, given, boxed, scene.species);
   read_section(root, "method", read_method, scene.method);
   read_section(root, "forces", read_forces, scene.gravity);
   for (Table& table : root.tables("wall")) read_wall(table, scene.walls.emplace_back());

@@ -16,7 +16,8 @@ void fit_box(const std::vector<double>& proportions, Scene& scene, Diagnostics& 
 /// `dimension` decides between area and volume fraction; 0 when the domain does not say it. `given`: the
 /// particles are listed one by one, and the species takes no amount. `boxed`: the domain has its size, and one
 /// amount is enough.
-void read_species(Table& table, int dimension, bool given, bool boxed, Species& species);
+/// Adds one species, or several for a distribution of diameters.
+void read_species(Table& table, int dimension, bool given, bool boxed, std::vector<Species>& all);
 void read_method(Table& table, Method& method);
 void read_forces(Table& table, std::vector<double>& gravity);
 void read_wall(Table& table, Wall& wall);

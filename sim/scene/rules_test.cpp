@@ -104,6 +104,8 @@ const std::vector<BadEdit> method = {
      "20:41",
      {"'method.time-step.collisions-per-particle' is -0.1"}},
     {"weight", "weight = 1.0", "weight = 0", "21:10", {"'method.weight' is 0; allowed: above 0"}},
+    {"tiny_weight", "weight = 1.0", "weight = 1e-300", "21:10", {"allowed: above 0, 1e-100 to 1e+100"}},
+    {"huge_size", "20.0]", "1e308]", "8:15", {"'domain.size' is 1e+308; allowed: above 0, 1e-100 to 1e+100"}},
     {"density", "\"cba\"", "\"dsmc\"\ndensity = 'cell'", "19:11", {"contact-factor = \"local\" only"}},
     {"even_window",
      "\"cba\"",

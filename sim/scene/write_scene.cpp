@@ -70,6 +70,7 @@ void write_observe(Lines& lines, const Observe& observe) {
   lines.header("[[observe]]");
   lines.add("what", observe.what);
   lines.add("every", observe.cadence);
+  lines.add("start", observe.start);
   if (uses("axis")) lines.add("axis", word_of(axis_words(), observe.axis));
   if (uses("position")) lines.add("position", observe.position);
   if (uses("range")) lines.add("range", observe.range);

@@ -1,6 +1,6 @@
 #include "sim/space/shared_cells.hpp"
 
-#include "sim/base/test_ranks.hpp"
+#include "sim/base/thread_ranks.hpp"
 
 #include <numeric>
 

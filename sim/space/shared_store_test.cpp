@@ -2,7 +2,7 @@
 
 #include "sim/base/particle_columns.hpp"
 #include "sim/base/random.hpp"
-#include "sim/base/test_ranks.hpp"
+#include "sim/base/thread_ranks.hpp"
 
 #include <mutex>
 

@@ -114,6 +114,8 @@ Evidence haff_cooling(const Subject& subject, const law::Arguments& numbers) {
                        contact_ratio(subject, numbers.at("contact-value"));
   evidence.expected = scale;
   evidence.budget.systematic = scale * (evidence.budget.systematic + waves + missing.bound);
+  evidence.effect = scale;
+  evidence.without = "no cooling";
   const auto theory = [scale](double time) { return law::haff_energy_ratio(time, scale); };
   evidence.figures.push_back(energy_figure(subject, {"time", "time", true}, true, theory));
   return evidence;
@@ -131,6 +133,8 @@ Evidence cooling_per_collision(const Subject& subject, const law::Arguments& num
                       law::sonine_collision_factor(a2) * (1 - waves);
   evidence.budget.systematic =
       evidence.expected * (evidence.budget.systematic + waves + subject.missing_pairs().value);
+  evidence.effect = evidence.expected;
+  evidence.without = "no cooling";
   const auto theory = [&](double collisions) { return std::exp(-evidence.expected * collisions); };
   evidence.figures.push_back(energy_figure(subject, {"collisions per particle", "1", false}, false, theory));
   return evidence;

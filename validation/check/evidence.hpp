@@ -60,6 +60,8 @@ struct Evidence {
   double expected = 0;
   double upper = 0;  ///< the upper end, with Expectation::between alone
   Budget budget;
+  double effect = 0;    ///< how far the nearest wrong answer lies from the expectation; 0: none is stated
+  std::string without;  ///< that answer, in words: "no cooling"
   int comparisons = 1;  ///< independent comparisons behind the value (largest of k deviations, say)
   std::vector<Figure> figures;
 };

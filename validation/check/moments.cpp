@@ -126,6 +126,8 @@ Evidence excess(const Subject& subject, int order, double settle, double expecte
   Evidence evidence = from_mean(pooled(settled), expected);
   evidence.budget.systematic = error;
   evidence.budget.reason = "third Sonine order: two ways to linearise differ, a4 is left out";
+  evidence.effect = std::abs(expected);
+  evidence.without = "a Maxwellian";
   evidence.figures.push_back(excess_figure(subject, order, expected));
   return evidence;
 }

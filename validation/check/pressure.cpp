@@ -24,6 +24,8 @@ Evidence against(const Subject& subject, const law::Bounded& theory, double carr
   evidence.budget.reference = theory.standard_error;
   evidence.budget.systematic = missing.bound * (theory.value - 1) + theory.bound;
   evidence.budget.reason = "pairs that an offset takes from a cell, between the limits of pair_deficit";
+  evidence.effect = evidence.expected - 1;
+  evidence.without = "an ideal gas";
   return evidence;
 }
 

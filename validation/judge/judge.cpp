@@ -14,6 +14,9 @@ namespace {
 constexpr std::array<const char*, 5> names{"pass", "fail", "inconclusive", "expected-fail",
                                            "unexpected-pass"};
 
+/// What makes every error bar smaller.
+constexpr const char* narrower = "run longer, with more particles or more replicas";
+
 bool all_finite(const Evidence& evidence) {
   for (double number : {evidence.value, evidence.standard_error, evidence.expected, evidence.upper,
                         evidence.budget.reference, evidence.budget.systematic, evidence.budget.resolution})
@@ -52,6 +55,17 @@ double beyond(const Evidence& evidence) {
       break;
   }
   return std::abs(below);
+}
+
+/// The part of a budget that weighs most, and what helps against it.
+std::string largest_part(const Evidence& evidence, double error_bar) {
+  const Budget& budget = evidence.budget;
+  if (budget.systematic >= error_bar)
+    return fmt::format("{:.2g} of it is systematic ({}): that part must be known better or made smaller",
+                       budget.systematic, budget.reason.empty() ? "as the case states" : budget.reason);
+  if (budget.reference > evidence.standard_error)
+    return fmt::format("{:.2g} of it is the error of the reference: that must be known better", error_bar);
+  return fmt::format("{:.2g} of it is the error bar: {}", error_bar, narrower);
 }
 
 struct Finding {
@@ -95,10 +109,16 @@ Judgement judge(const Evidence& evidence, const Confidence& confidence, bool kno
   const double error_bar = z * std::hypot(evidence.standard_error, allowed.reference);
   const double budget = allowed.systematic + error_bar;
   if (allowed.resolution > 0 && width > allowed.resolution)
+    return {
+        Verdict::inconclusive, deviation, budget,
+        fmt::format("the error bar {:.3g} (half width) is wider than the resolution {:.3g} that the check "
+                    "needs: {}",
+                    width, allowed.resolution, narrower),
+        z};
+  if (evidence.kind == Expectation::equal && evidence.effect > 0 && budget >= evidence.effect)
     return {Verdict::inconclusive, deviation, budget,
-            fmt::format(
-                "the error bar {:.3g} (half width) is wider than the resolution {:.3g} that the check needs",
-                width, allowed.resolution),
+            fmt::format("the budget {:.3g} reaches the wrong answer, {}, {:.3g} away: {}", budget,
+                        evidence.without, evidence.effect, largest_part(evidence, error_bar)),
             z};
   Finding found =
       evidence.kind == Expectation::equal ? two_sided(deviation, budget) : one_sided(evidence, error_bar);

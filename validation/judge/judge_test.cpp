@@ -53,6 +53,24 @@ TEST(Judge, WideErrorBarIsInconclusive) {
   EXPECT_EQ(verdict(found), Verdict::pass);
 }
 
+/// Haff's law with a budget of six times the time scale passed: the gas might not have cooled at all.
+TEST(Judge, ABudgetThatReachesTheWrongAnswerIsInconclusive) {
+  Evidence found = evidence(1.1, 0.1, 1);
+  found.budget.systematic = 0.5;
+  found.effect = 0.69;
+  found.without = "no cooling";
+  EXPECT_EQ(verdict(found), Verdict::inconclusive);
+  EXPECT_EQ(verdict(found, true), Verdict::inconclusive);
+  found.budget.reason = "finite N";
+  const std::string systematic = judge(found, Confidence{two_sigma}, false).reason;
+  EXPECT_NE(systematic.find("no cooling"), std::string::npos);
+  EXPECT_NE(systematic.find("0.5 of it is systematic (finite N)"), std::string::npos);
+  found.effect = 0.71;
+  EXPECT_EQ(verdict(found), Verdict::pass);
+  found.standard_error = 0.3;
+  EXPECT_NE(judge(found, Confidence{two_sigma}, false).reason.find("more replicas"), std::string::npos);
+}
+
 TEST(Judge, NotFiniteIsInconclusive) {
   const double bad = std::nan("");
   EXPECT_EQ(verdict(evidence(bad, 0.1, 1)), Verdict::inconclusive);

@@ -123,6 +123,7 @@ struct Case {
   std::vector<Tier> tiers;
   std::vector<Sweep> sweeps;
   std::vector<Mutant> mutants;
+  std::vector<Override> settings = {};  ///< of the command line: over every scene, on top of all else
 
   /// The variant runs at the point, in some tier.
   bool runs(const std::string& point, const std::string& variant) const;

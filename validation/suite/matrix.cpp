@@ -25,6 +25,7 @@ Scene scene_of(const Case& subject, const std::string& tier, const std::string& 
   for (const TierChange& change : chosen.changes)
     if (change.where.holds(point, variant)) layers.push_back(&change.set);
   layers.push_back(&on_top);
+  for (const Override& setting : subject.settings) layers.push_back(&setting);
   return lay_over(subject.scene, subject.scene_file, layers, by.added);
 }
 

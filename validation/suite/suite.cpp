@@ -35,6 +35,7 @@ std::vector<Case> chosen_cases(const SuiteOptions& options) {
     return !wanted.empty() && std::find(wanted.begin(), wanted.end(), subject.name) == wanted.end();
   };
   std::erase_if(all, unwanted);
+  for (Case& subject : all) subject.settings = options.settings;
   return all;
 }
 

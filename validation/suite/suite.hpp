@@ -30,6 +30,7 @@ struct SuiteOptions {
   bool mutants = false;                 ///< run the planted faults instead of the matrix
   bool keys = false;                    ///< wire the keys of the scenes wrongly instead
   std::vector<std::string> known_keys;  ///< all that a scene may have
+  std::vector<Override> settings = {};  ///< laid over the scene of every run, the later ones on top
   std::optional<std::uint64_t> seed;    ///< fresh seeds derived from this one; without it those of the scenes
   Confidence confidence;
   std::function<void(const SuiteProgress&)> progress;  ///< one call at a time, from any thread; may be empty

@@ -1,8 +1,15 @@
 #include "sim/method/dsmc/cell_clocks.hpp"
 
+#include "sim/base/saved.hpp"
+
 #include <algorithm>
 
 namespace sandglass::dsmc {
+
+namespace {
+/// In steps; the pairs of a step are far fewer.
+constexpr double kFarAhead = 1e12;
+}  // namespace
 
 void CellClocks::start(std::uint32_t cells, const StreamKey& key) {
   dt_ = 0;
@@ -23,8 +30,11 @@ void CellClocks::save(Memory& memory) const {
 }
 
 void CellClocks::load(const Memory& memory) {
-  ahead_ = memory.at("dsmc/clocks");
-  dt_ = memory.at("dsmc/clock-step").at(0);
+  const std::vector<double>& ahead = memory.at("dsmc/clocks");
+  if (ahead.size() != ahead_.size()) refuse_saved("clocks that are not as many as the cells");
+  for (std::size_t cell = 0; cell < ahead.size(); ++cell)
+    ahead_[cell] = saved_number(ahead[cell], -1, kFarAhead, "the clock of a cell");
+  dt_ = saved_number(memory.at("dsmc/clock-step").at(0), 0, 1e300, "a time step");
 }
 
 }  // namespace sandglass::dsmc

@@ -1,6 +1,7 @@
 #include "sim/method/dsmc/contact_partners.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/stop_request.hpp"
 #include "sim/physics/collision.hpp"
 #include "sim/space/cell_colours.hpp"
 
@@ -78,6 +79,7 @@ void ContactPartners<D>::begin(const CollisionStep<D>& step) {
 template <int D>
 void ContactPartners<D>::collide(const CollisionStep<D>& step, std::span<const std::uint32_t> cells) {
   for (const std::uint32_t cell : cells) {
+    stop_request.heed();
     if (step.offsets[cell] == step.offsets[cell + 1]) continue;
     Random random(step.key, cell);
     if (!table_) {

@@ -1,5 +1,8 @@
 #include "sim/method/dsmc/dsmc.hpp"
 
+#include "sim/base/saved.hpp"
+#include "sim/base/stop_request.hpp"
+
 namespace sandglass::dsmc {
 
 namespace {
@@ -151,6 +154,7 @@ void Dsmc<D>::collide_and(const CollisionStep<D>& collisions, Move move) {
   const std::uint32_t cells = this->work().last();
   store_.begin_step();
   for (std::uint32_t first = this->work().first(); first < cells;) {
+    stop_request.heed();
     std::uint32_t last = first + 1;
     while (last < cells && offsets[last] - offsets[first] < kBlock) ++last;
     collisions_->collide(collisions, first, last);
@@ -205,17 +209,23 @@ Memory Dsmc<D>::save() const {
 template <int D>
 void Dsmc<D>::load(const Memory& memory) {
   CellSimulator<D>::load(memory);
-  bound_raised_ = static_cast<std::uint64_t>(memory.at("dsmc/bound-raised").at(0));
+  bound_raised_ = saved_count(memory.at("dsmc/bound-raised").at(0));
   if (excluded_) excluded_->load(memory);
   if (clocks_) clocks_->load(memory);
-  if (memory.at("dsmc/window").at(0) != assigned_) make_factor(memory.at("dsmc/window").at(0));
+  const double assigned = saved_number(memory.at("dsmc/window").at(0), 0, 0x1p53, "a number of particles");
+  if (assigned != assigned_) make_factor(assigned);
 }
 
 /// The particles stand in the order of the cells of the coming step.
 template <int D>
 void Dsmc<D>::restore(const Particles<D>& particles, const Memory& memory) {
-  if (store_.cells().shifted_cells())
-    shift_cells(Eigen::Map<const Vector<D>>(memory.at("dsmc/shift").data()));
+  if (store_.cells().shifted_cells()) {
+    Vector<D> shift;
+    for (std::size_t axis = 0; axis < D; ++axis)
+      shift[static_cast<int>(axis)] =
+          saved_number(memory.at("dsmc/shift").at(axis), -0.5, 0.5, "the shift of the cells");
+    shift_cells(shift);
+  }
   take_in(particles);
   load(memory);
 }

@@ -1,5 +1,7 @@
 #include "sim/method/dsmc/excluded_volume.hpp"
 
+#include "sim/base/saved.hpp"
+
 namespace sandglass::dsmc {
 
 template <int D>
@@ -70,7 +72,7 @@ template <int D>
 void ExcludedVolumeOfCells<D>::load(const Memory& memory) {
   const std::vector<double>& counts = memory.at("dsmc/cells");
   collisions_->count() = {counts.at(0), counts.at(1), counts.at(2)};
-  entry_.refused() = static_cast<std::uint64_t>(counts.at(3));
+  entry_.refused() = saved_count(counts.at(3));
 }
 
 template class ExcludedVolumeOfCells<2>;

@@ -44,6 +44,12 @@ class Cells {
     return place;
   }
   std::uint32_t size() const { return static_cast<std::uint32_t>(head_.size()); }
+  /// Whether a number is that of a cell.
+  bool has(std::uint32_t cell) const {
+    bool inside = std::uint64_t{cell} >> (D * kBits) == 0;
+    for (int axis = 0; axis < D; ++axis) inside &= coordinate(cell, axis) < count_[index(axis)];
+    return inside;
+  }
   /// Calls `visit` with every cell between two corners, which may be infinite, and with some beside them.
   template <class Visit>
   void for_each_between(const Vector<D>& low, const Vector<D>& high, Visit visit) const;

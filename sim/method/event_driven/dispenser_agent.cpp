@@ -1,5 +1,6 @@
 #include "sim/method/event_driven/dispenser_agent.hpp"
 
+#include "sim/base/saved.hpp"
 #include "sim/method/event_driven/books.hpp"
 #include "sim/method/event_driven/bounce.hpp"
 #include "sim/observe/axes.hpp"
@@ -143,8 +144,8 @@ std::vector<double> DispenserAgent<D>::save() const {
 
 template <int D>
 void DispenserAgent<D>::load(const std::vector<double>& state) {
-  layers_ = static_cast<std::uint64_t>(state.at(0));
-  entered_ = static_cast<std::uint64_t>(state.at(1));
+  layers_ = saved_count(state.at(0));
+  entered_ = saved_count(state.at(1));
 }
 
 template class DispenserAgent<2>;

@@ -20,6 +20,9 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
  public:
   static constexpr int D = C::D;
   static constexpr auto kNextId = "event-driven/next-id", kEntrance = "event-driven/entrance";
+  static constexpr std::uint64_t kBetweenLooks = 1 << 14;  ///< events between two looks whether to stop
+  /// Collisions of a particle in a step, and how many times those of a quiet one.
+  static constexpr double kMostOften = 1e4, kJam = 1000;
 
   Engine(const Parameters<D>& parameters, Agents<D> agents, const Streams& streams, EventSink<D>* trace);
 
@@ -64,6 +67,12 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   void fill_calendar();
   void fill_cells();
   void scale_stall();
+  /// Of a particle, since the step began.
+  double collisions_of_step() const {
+    return 2 * static_cast<double>(tally_.collisions - before_step_) / static_cast<double>(size());
+  }
+  void note_quiet_step();
+  void refuse_jam() const;
 
   std::uint64_t identity(std::uint32_t particle) const {
     return gas_.ids.empty() ? particle : gas_.ids[particle];
@@ -86,6 +95,10 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   Agents<D> agents_;
   AgentsByCell<D> agents_by_cell_;
   std::vector<Agent<D>*> timers_;  ///< agents with events of their own
+  bool fills_ = false;             ///< somebody has come in, and no weight presses those who rest
+  std::uint64_t before_step_ = 0;  ///< collisions
+  double quietest_ = HUGE_VAL;     ///< fewest collisions of a particle in a step, with about as many of them
+  std::uint64_t quiet_size_ = 0;   ///< how many there were then
   bool draws_;                     ///< an agent draws random numbers
   Streams streams_;
   EventSink<D>* trace_;

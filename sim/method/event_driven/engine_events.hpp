@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/base/stop_request.hpp"
 #include "sim/method/event_driven/engine.hpp"
 
 #include <algorithm>
@@ -11,8 +12,10 @@ namespace sandglass::event_driven {
 template <class C>
 void Engine<C>::step(double dt, std::uint64_t) {
   seen_ = -1;
+  before_step_ = tally_.collisions;
   double left = dt;
   for (;;) {
+    stop_request.heed();
     const auto next = std::ranges::min_element(timers_, {}, [](const auto* timer) { return timer->next(); });
     const double until = next == timers_.end() ? HUGE_VAL : (*next)->next() - progress_.clock();
     if (until > left) break;
@@ -22,6 +25,7 @@ void Engine<C>::step(double dt, std::uint64_t) {
     renew_era();
   }
   run_until(left);
+  note_quiet_step();
   tally_.moves = 2 * tally_.collisions + progress_.counts.agent_events;
   tally_.candidates = progress_.counts.predictions;
 }
@@ -46,7 +50,7 @@ void Engine<C>::run_until(double duration) {
     if (prefetches_) prefetch_(gas_, cells_, calendar_);
     if (gas_.next[event.owner].time != event.time) continue;
     progress_.now = event.time;
-    ++progress_.events;
+    if (++progress_.events % kBetweenLooks == 0) stop_request.heed();
     carry_out(event.owner);
   }
   progress_.now = end;

@@ -31,6 +31,7 @@ void Engine<C>::convert(std::uint32_t particle, std::size_t species, const Vecto
 template <class C>
 void Engine<C>::insert(const Newcomer<D>& newcomer) {
   check_codes(gas_.size() + std::uint64_t{1}, agents_.size());
+  fills_ = parameters_.gravity.isZero(0);
   const std::uint32_t particle = gas_.size();
   gas_.append(newcomer, progress_.now, next_id_++);
   gas_.next[particle].cell = cells_.cell_of(newcomer.position);

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "sim/base/saved.hpp"
+#include "sim/base/stop_request.hpp"
 #include "sim/method/event_driven/check_codes.hpp"
 #include "sim/method/event_driven/engine.hpp"
 #include "sim/method/event_driven/restart.hpp"
 
 #include <algorithm>
+
+#include <fmt/ranges.h>
 
 namespace sandglass::event_driven {
 
@@ -47,6 +51,9 @@ void Engine<C>::assign(const Particles<D>& particles) {
   entrance_ = Entrance<D>(parameters_, streams_);
   next_id_ = gas_.size();
   for (const std::uint64_t id : gas_.ids) next_id_ = std::max(next_id_, id + 1);
+  fills_ = false;
+  quietest_ = HUGE_VAL;
+  quiet_size_ = 0;
   stall_ = {};
   stall_.set_size(particles.phases.size());
   seen_ = -1;
@@ -58,6 +65,8 @@ void Engine<C>::assign(const Particles<D>& particles) {
 
 template <class C>
 void Engine<C>::begin_era() {
+  stop_request.heed();
+  if (fills_) refuse_jam();
   gas_.rebase(progress_.now);
   stall_.rebase(progress_.now);
   progress_.origin += progress_.now;
@@ -90,6 +99,32 @@ void Engine<C>::fill_calendar() {
 }
 
 /// An era shrinks along with the bounces of a ball. Gravity and the diameter have a speed and a time that do not.
+/// Where more come in than go, particles are pressed together, or heated without bound, until the collisions of a step
+/// have no end. A gas collides as often in each step as long as their number is about the same.
+template <class C>
+void Engine<C>::refuse_jam() const {
+  const double often = collisions_of_step();
+  if (!(often > kMostOften) || !(often > kJam * quietest_)) return;
+  const Vector<D> place = state(0).position;
+  throw RunError(fmt::format(
+      "time hardly advances at {:.12g}: the {} particles in the box, one of them at ({:.6g}), have collided "
+      "{:.3g} times each in "
+      "this step, and at most {:.3g} times in a quiet one; the box is full, and more come in: open a side by "
+      "which they "
+      "leave, let fewer in, or end the run sooner",
+      progress_.clock(), size(), fmt::join(place.data(), place.data() + D, ", "), often, quietest_));
+}
+
+template <class C>
+void Engine<C>::note_quiet_step() {
+  if (!fills_) return;
+  if (size() > 4 * quiet_size_) {
+    quietest_ = HUGE_VAL;
+    quiet_size_ = size();
+  }
+  quietest_ = std::min(quietest_, collisions_of_step());
+}
+
 template <class C>
 void Engine<C>::scale_stall() {
   const double g = parameters_.gravity.norm(), d = parameters_.largest_diameter();
@@ -186,7 +221,11 @@ Memory Engine<C>::with_entrance(Memory memory) const {
 template <class C>
 void Engine<C>::load(const Memory& memory) {
   load_state(memory, gas_, agents_, progress_);
-  next_id_ = static_cast<std::uint64_t>(memory.at(kNextId).at(0));
+  require_sound(gas_, cells_, agents_.size(), parameters_.species.size(), progress_);
+  for (const Agent<D>* timer : timers_)
+    if (timer != &entrance_ && timer->next() < progress_.clock() * (1 - 1e-9))
+      refuse_saved("an event long past");
+  next_id_ = saved_count(memory.at(kNextId).at(0));
   if (const auto known = memory.find(kEntrance); known != memory.end()) {
     entrance_.load(known->second);
     open_entrance();

@@ -1,6 +1,7 @@
 #include "sim/method/event_driven/entrance.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/saved.hpp"
 #include "sim/method/event_driven/books.hpp"
 
 #include <algorithm>
@@ -124,9 +125,9 @@ std::vector<double> Entrance<D>::save() const {
 template <int D>
 void Entrance<D>::load(const std::vector<double>& state) {
   auto from = state.begin();
-  const auto whole = [&] { return static_cast<std::uint64_t>(*from++); };
+  const auto whole = [&](double most = 0x1p53) { return saved_count(*from++, "a visitor", most); };
   const auto fill = [&](auto& vector) {
-    for (double& component : vector.reshaped()) component = *from++;
+    for (double& component : vector.reshaped()) component = saved_number(*from++, -1e300, 1e300, "a visitor");
   };
   constexpr std::size_t size = 6 + 2 * D + Spin<D>::SizeAtCompileTime;
   if (state.size() < 3 || (state.size() - 3) % size != 0) throw std::out_of_range("entrance");
@@ -134,11 +135,11 @@ void Entrance<D>::load(const std::vector<double>& state) {
   queue_.clear();
   while (from != state.end()) {
     Visitor visitor{};
-    visitor.time = *from++;
+    visitor.time = saved_number(*from++, 0, 1e300, "a visitor");
     visitor.number = whole(), visitor.waits = whole();
-    visitor.axis = static_cast<int>(whole());
-    visitor.high = whole() != 0;
-    visitor.newcomer.species = static_cast<std::size_t>(whole());
+    visitor.axis = static_cast<int>(whole(D - 1));
+    visitor.high = whole(1) != 0;
+    visitor.newcomer.species = static_cast<std::size_t>(whole(static_cast<double>(species_.size() - 1)));
     fill(visitor.newcomer.position), fill(visitor.newcomer.velocity), fill(visitor.newcomer.spin);
     queue_.push_back(visitor);
   }

@@ -1,5 +1,6 @@
 #include "sim/method/event_driven/filter_agent.hpp"
 
+#include "sim/base/saved.hpp"
 #include "sim/method/event_driven/books.hpp"
 #include "sim/method/event_driven/heavy.hpp"
 #include "sim/observe/axes.hpp"
@@ -62,7 +63,7 @@ std::vector<double> FilterAgent<D>::save() const {
 template <int D>
 void FilterAgent<D>::load(const std::vector<double>& state) {
   begun_ = state.at(0) != 0;
-  turned_ = static_cast<std::uint64_t>(state.at(1));
+  turned_ = saved_count(state.at(1));
 }
 
 template class FilterAgent<2>;

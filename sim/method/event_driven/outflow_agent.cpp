@@ -1,5 +1,6 @@
 #include "sim/method/event_driven/outflow_agent.hpp"
 
+#include "sim/base/saved.hpp"
 #include "sim/method/event_driven/books.hpp"
 #include "sim/observe/axes.hpp"
 
@@ -30,7 +31,7 @@ std::vector<double> OutflowAgent<D>::save() const {
 template <int D>
 void OutflowAgent<D>::load(const std::vector<double>& state) {
   side_.load(state);
-  turned_ = static_cast<std::uint64_t>(state.at(1));
+  turned_ = saved_count(state.at(1));
 }
 
 template class OutflowAgent<2>;

@@ -1,6 +1,7 @@
 #include "sim/method/mixing/mixing.hpp"
 
 #include "sim/base/error.hpp"
+#include "sim/base/saved.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,8 +109,8 @@ Memory Mixing::save() const {
 void Mixing::load(const Memory& memory) {
   CellSimulator<2>::load(memory);
   const std::vector<double>& counts = memory.at("mixing/counts");
-  pairs_in_range_ = static_cast<std::uint64_t>(counts.at(0));
-  reflections_ = static_cast<std::uint64_t>(counts.at(1));
+  pairs_in_range_ = saved_count(counts.at(0));
+  reflections_ = saved_count(counts.at(1));
 }
 
 std::size_t Mixing::bytes() const {

@@ -1,5 +1,6 @@
 """The command line as a user meets it: what it prints, writes and returns. Needs build/release/sandglass."""
 
+import csv
 import importlib.machinery
 import importlib.util
 import json
@@ -62,6 +63,24 @@ def test_help_says_what_a_key_means():
     assert "species" in run("help").stdout
     wrong = run("help", "restituton")
     assert wrong.returncode == 2 and "did you mean 'restitution'?" in wrong.stderr
+
+
+def completed(*words):
+    script = 'source <("$0" completion bash); shift 0; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _sandglass; printf "%s\\n" "${COMPREPLY[@]}"'
+    path = f"{PROGRAM.parent}:{os.environ['PATH']}"
+    done = subprocess.run(["bash", "-c", script, str(PROGRAM), *words], capture_output=True, text=True, check=True,
+                          env=os.environ | {"PATH": path})
+    return done.stdout.split()
+
+
+def test_the_shell_completes_commands_options_and_names():
+    assert completed("sandglass", "re") == ["resume"]
+    assert completed("sandglass", "run", "scene.toml", "--ov") == ["--overwrite"]
+    assert completed("sandglass", "law", "haff-time-scale-") == ["haff-time-scale-sonine"]
+    assert completed("sandglass", "validate", "homog") == ["homogeneous-cooling"]
+    assert completed("sandglass", "new", "heap") == ["heap-on-a-table"]
+    assert "bashcompinit" in run("completion", "zsh").stdout
+    assert "did you mean 'bash'" in run("completion", "bas").stderr
 
 
 def test_a_new_scene_can_be_planned_and_is_not_replaced(tmp_path):
@@ -262,6 +281,14 @@ def test_hostile_scenes_are_refused_at_once(scene, tmp_path):
     assert time.monotonic() - begun < 30
 
 
+def test_as_many_cells_as_are_documented_can_be_planned(scene, tmp_path):
+    most = ("--set", "method.cell-size={}", "--set")
+    planned = run("plan", scene, *most, "method.cells=[46340,46340]", "--json", folder=tmp_path)
+    assert json.loads(planned.stdout)["cells"] == 46340**2
+    refused = run("plan", scene, *most, "method.cells=[46341,46341]", folder=tmp_path)
+    assert refused.returncode == 2 and "at most 2147483647 are allowed" in refused.stderr
+
+
 def test_summary_says_what_no_mean_can(scene, tmp_path):
     scene.write_text(SCENE.replace("STEPS", "500"))
     lines = run("run", scene.name, folder=tmp_path).stdout.splitlines()
@@ -284,6 +311,144 @@ def test_check_of_a_scene_that_no_law_knows_announces_no_list(tmp_path):
     refused = run("check", "open.h5", folder=tmp_path)
     assert refused.returncode == 2
     assert "sandglass list checks" in refused.stderr and "and run again" not in refused.stderr
+
+
+def test_warnings_of_the_plan_are_those_of_the_run_its_record_and_check(scene, tmp_path):
+    sparse = ("--set", "method.weight=20.0", "--set", "run.duration.steps=10")
+    planned = json.loads(run("plan", scene, *sparse, "--json", folder=tmp_path).stdout)["warnings"]
+    assert any("particles per cell" in warning for warning in planned)
+    done = run("run", scene, *sparse, "-o", "sparse.h5", folder=tmp_path)
+    checked = run("check", "sparse.h5", folder=tmp_path)
+    with h5py.File(tmp_path / "sparse.h5") as record:
+        assert [text.decode() for text in record["/sandglass"].attrs["warnings"]] == planned
+    for warning in planned:
+        assert f"warning: {warning}" in done.stderr and f"warning: {warning}" in checked.stdout
+
+
+def test_plan_flags_what_does_not_fit_and_shows_no_part_of_a_step(scene, tmp_path):
+    huge = run("plan", scene, "--set", "method.weight=1e-8", folder=tmp_path)
+    assert "warning" in huge.stdout and "does not fit into the memory of this machine" in huge.stdout
+    long = ("--set", "run.duration={}", "--set", "run.duration.time=0.001", "--set", "method.time-step={collisions-per-particle=0.5}")
+    planned = json.loads(run("plan", scene, *long, "--json", folder=tmp_path).stdout)
+    assert planned["steps"] == 1 and any("the only step is cut" in warning for warning in planned["warnings"])
+    assert run("run", scene, *long, "-o", "short.h5", "-q", folder=tmp_path).returncode == 0
+    with h5py.File(tmp_path / "short.h5") as record:
+        assert record["/sandglass/counters/steps"][0] == 1
+    falling = run("plan", scene, "--set", "forces.gravity=[0.0,-1.0]", "--set", "domain.sides.y=specular", folder=tmp_path)
+    assert "at the temperature of the start" in falling.stdout
+
+
+def test_a_check_says_what_a_budget_as_large_as_the_effect_needs(tmp_path):
+    """README's scene with restitution 0.5: the budget of Haff's law was six times its time scale, and passed."""
+    text = SCENE.replace("{ steps = STEPS }", "{ collisions-per-particle = 20.0 }").replace("restitution = 0.9", "restitution = 0.5")
+    text = text.replace("{ steps = 5 }", "{ collisions-per-particle = 0.5 }").replace("[40.0, 40.0]", "[400.0, 400.0]")
+    (tmp_path / "few.toml").write_text(text.replace("time-step = 0.4", "time-step = { collisions-per-particle = 0.1 }"))
+    assert run("run", "few.toml", "-q", folder=tmp_path).returncode == 0
+    checked = run("check", "few.h5", folder=tmp_path)
+    assert checked.returncode == 1
+    assert "haff-cooling: the" in checked.stdout and "run longer, with more particles or more replicas" in checked.stdout
+
+
+MIXTURE = """
+run = { seed = 1, replicas = 2, duration = { steps = 20 } }
+domain = { dimension = 2, size = [40.0, 40.0] }
+method = { preset = "event-driven", time-step = 0.1 }
+species = [ { name = "large", count = 20, diameter = 2.0, mass = 4.0 }, { name = "small", count = 10, diameter = 0.5, mass = 0.25 } ]
+initial.positions = "random-without-overlap"
+[output]
+trajectory = { steps = 10 }
+checkpoint = { steps = 15 }
+"""
+
+
+def test_exports_carry_species_diameter_and_mass_of_a_mixture(tmp_path):
+    (tmp_path / "mixture.toml").write_text(MIXTURE)
+    assert run("run", "mixture.toml", "-q", folder=tmp_path).returncode == 0
+    for form in ("vtp", "xyz", "csv", "mdanalysis"):
+        assert run("export", "mixture.h5", "--format", form, folder=tmp_path).returncode == 0
+    with h5py.File(tmp_path / "mixture.h5") as record:
+        species = record["/particles/all/species/value"][0]
+        diameter = record["/particles/all/diameter/value"][0]
+        assert record["/particles/all/diameter"].attrs["units"].decode() == "length"
+        assert list(record["/particles/all/mass/value"][0]) == [4.0 if kind == 0 else 0.25 for kind in species]
+        assert list(record["/sandglass/seed"]) == [1, 1]   # of the scene; replicas differ by their number
+    assert list(diameter) == [2.0 if kind == 0 else 0.5 for kind in species] and sorted(set(species)) == [0, 1]
+    with h5py.File(tmp_path / "mixture.h5md") as exported:
+        assert list(exported["/observables/diameter/value"][0]) == list(diameter)
+        assert exported["/observables/mass/value"].shape == exported["/particles/trajectory/position/value"].shape[:2]
+        assert list(exported["/observables/mass/time"]) == list(exported["/particles/trajectory/position/time"])
+    lines = (tmp_path / "mixture.xyz").read_text().splitlines()
+    assert "species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:species_index:I:1 " in lines[1]
+    rows = [line.split() for line in lines[2:32]]
+    assert [row[0] for row in rows] == ["H" if kind == 0 else "He" for kind in species]
+    assert [float(row[7]) for row in rows] == list(diameter / 2)
+    with (tmp_path / "mixture-particles.csv").open() as table:
+        read = list(csv.DictReader(table))
+    assert [float(row["diameter"]) for row in read[:30]] == list(diameter) and len(read) == 90
+    frame = (tmp_path / "mixture-000000.vtp").read_text()
+    assert frame.count('Name="diameter"') == 1 and 'Name="mass"' in frame and 'Name="species"' in frame
+
+
+def test_a_table_of_a_checkpoint_holds_what_it_has(tmp_path):
+    (tmp_path / "row.toml").write_text(ROW)
+    assert run("run", "row.toml", "-q", folder=tmp_path).returncode == 3
+    assert run("export", "row.checkpoint.h5", "--format", "csv", folder=tmp_path).returncode == 0
+    assert len((tmp_path / "row.checkpoint.csv").read_text().splitlines()) == 6
+    assert len((tmp_path / "row.checkpoint-particles.csv").read_text().splitlines()) == 4
+    (tmp_path / "bare.toml").write_text(ROW.replace('observe = [ { what = "energy" } ]', "").replace("0.05 }", "0.9 }"))
+    assert run("run", "bare.toml", "-q", folder=tmp_path).returncode == 0
+    refused = run("export", "bare.h5", "--format", "csv", folder=tmp_path)
+    assert refused.returncode == 2 and "neither series nor particles" in refused.stderr
+
+
+ROW = """
+run.duration = { time = 1.0 }
+domain = { dimension = 2, size = [20.0, 20.0] }
+method = { preset = "event-driven", time-step = 0.1 }
+species = [ { restitution = 0.05 } ]
+initial.positions = "given"
+particle = [ { position = [9.0, 10.0], velocity = [1.0, 0.0] }, { position = [10.2, 10.0], velocity = [0.0, 0.0] },
+             { position = [11.7, 10.0], velocity = [-1.0, 0.0] } ]
+observe = [ { what = "energy" } ]
+output.checkpoint = { steps = 2 }
+"""
+
+
+def test_a_broken_run_keeps_what_it_has_and_goes_on_with_what_mends_it(tmp_path):
+    (tmp_path / "row.toml").write_text(ROW)
+    broken = run("run", "row.toml", folder=tmp_path)
+    assert broken.returncode == 3 and "inelastic collapse" in broken.stderr
+    assert "kept in row.broken.h5, marked as broken" in broken.stderr
+    assert "go on from the last checkpoint with: sandglass resume row.checkpoint.h5" in broken.stderr
+    shown = run("check", "row.broken.h5", folder=tmp_path)
+    assert "Traceback" not in shown.stderr and shown.returncode != 0
+    with h5py.File(tmp_path / "row.broken.h5") as record:
+        assert "inelastic collapse" in record["/sandglass"].attrs["broken"].decode()
+        assert record["/sandglass/series/energy/value"].shape == (1, 5)
+    refused = run("resume", "row.checkpoint.h5", "--set", "species.restitution=0.5", folder=tmp_path)
+    assert refused.returncode == 2 and "in [species] it would" in refused.stderr
+    guard = ("--set", "method.collapse-guard=contact-time", "--set", "method.contact-time=1e-3")
+    mended = run("resume", "row.checkpoint.h5", *guard, "--set", "run.duration.time=1.5", folder=tmp_path)
+    assert mended.returncode == 0, mended.stderr
+    with h5py.File(tmp_path / "row.h5") as record:
+        changes = [text.decode() for text in record["/sandglass"].attrs["changes"]]
+        assert record["/sandglass/series/energy/value"].shape == (1, 16)
+    assert len(changes) == 3 and changes[0].startswith("--set method.collapse-guard=contact-time, from step 4")
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_is_heeded_within_a_step(tmp_path, number):
+    """This step crosses cells for years."""
+    fast = ROW.replace("velocity = [1.0, 0.0]", "velocity = [1e90, 1e90]").replace("0.05 }", "1.0 }")
+    (tmp_path / "fast.toml").write_text(fast)
+    started = subprocess.Popen([str(PROGRAM), "run", "fast.toml"], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    time.sleep(0.5)
+    begun = time.monotonic()
+    started.send_signal(number)
+    words = started.communicate(timeout=60)[1]
+    assert started.returncode == 3 and time.monotonic() - begun < 10
+    assert words.startswith("stopping; again to end at once\n") and "stopped within the step" in words
+    assert "'output.checkpoint' in the scene asks for some" in words
 
 
 def test_interrupt_writes_a_checkpoint_that_resumes(tmp_path):
@@ -460,6 +625,29 @@ def test_ranks_share_replicas(scene, tmp_path):
     assert run("run", scene.name, "-o", "one.h5", "--quiet", folder=tmp_path).returncode == 0
     assert run_on_ranks(2, "run", scene.name, "-o", "many.h5", "--quiet", folder=tmp_path).returncode == 0
     assert_same_record(tmp_path / "one.h5", tmp_path / "many.h5")
+
+
+def test_replicas_side_by_side_give_the_record_of_one_after_the_other(scene, tmp_path):
+    replicas = ("--set", "run.replicas=5", "-q")
+    assert run("run", scene, *replicas, "-o", "one.h5", folder=tmp_path).returncode == 0
+    for jobs in ("2", "9"):
+        done = run("run", scene, *replicas, "-j", jobs, "-o", f"jobs-{jobs}.h5", folder=tmp_path)
+        assert done.returncode == 0, done.stderr
+        assert_same_record(tmp_path / "one.h5", tmp_path / f"jobs-{jobs}.h5")
+    refused = run("run", scene, *replicas, "-j", "2", "--set", "output.checkpoint={steps=5}", "-o", "x.h5", folder=tmp_path)
+    assert refused.returncode == 2 and "leave out -j or 'output.checkpoint'" in refused.stderr
+
+
+def test_replicas_side_by_side_stop_when_asked_and_end_with_the_first_error(scene, tmp_path):
+    started = subprocess.Popen([str(PROGRAM), "run", scene, "--set", "run.replicas=4", "--set", "run.duration.steps=10000000",
+                                "-j", "2"], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    time.sleep(0.5)
+    started.send_signal(signal.SIGTERM)
+    words = started.communicate(timeout=60)[1]
+    assert started.returncode == 3 and "leave no checkpoint" in words
+    (tmp_path / "row.toml").write_text(ROW.replace("output.checkpoint = { steps = 2 }", "run.replicas = 3"))
+    broken = run("run", "row.toml", "-j", "3", folder=tmp_path)
+    assert broken.returncode == 3 and "inelastic collapse" in broken.stderr
 
 
 @needs_mpirun

@@ -55,7 +55,7 @@ const std::vector<ExportFormat>& export_formats() {
 std::vector<std::string> export_paths(const Record& record, const std::string& format,
                                       const std::string& path) {
   const Entry& entry = entry_of(format);
-  if (entry.needs_trajectory && record.trajectory.empty())
+  if (entry.needs_trajectory && frames_of(record).empty())
     throw InputError("the record holds no trajectory, which the format '" + format +
                      "' needs: add 'trajectory = { steps = 100 }' to [output] of the scene and run it again");
   return entry.paths(record, path);
@@ -75,6 +75,20 @@ std::vector<double> in_space(const std::vector<double>& vectors, int dimension) 
   for (std::size_t index = 0; index < vectors.size(); ++index)
     padded[index / width * 3 + index % width] = vectors[index];
   return padded;
+}
+
+std::vector<Frame> frames_of(const Record& record) {
+  if (!record.trajectory.empty() || !record.state) return record.trajectory;
+  Frame frame = record.state->particles;
+  frame.step = record.state->step;
+  frame.time = record.state->time;
+  return {frame};
+}
+
+std::vector<double> diameters_of(const Frame& frame, int dimension, const ParticleShape& shape) {
+  const auto own = frame.columns.get(column::diameter);
+  if (!own.empty()) return {own.begin(), own.end()};
+  return std::vector<double>(frame.particles(dimension), shape.diameter);
 }
 
 std::vector<double> box_in_space(const Record& record, const ParticleShape& shape) {

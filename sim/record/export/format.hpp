@@ -19,6 +19,12 @@ void export_csv(const Record& record, const Paths& paths, const ParticleShape& s
 /// vector[particle][3] from vector[particle][dimension]: z = 0 in two dimensions.
 std::vector<double> in_space(const std::vector<double>& vectors, int dimension);
 
+/// The trajectory; of a checkpoint without one the particles of its state.
+std::vector<Frame> frames_of(const Record& record);
+
+/// Of each particle of a frame.
+std::vector<double> diameters_of(const Frame& frame, int dimension, const ParticleShape& shape);
+
 /// Three edges of the box: a flat box is one diameter high, since most programs refuse height zero.
 std::vector<double> box_in_space(const Record& record, const ParticleShape& shape);
 

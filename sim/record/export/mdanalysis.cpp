@@ -1,6 +1,7 @@
 #include "sim/base/error.hpp"
 #include "sim/record/export/format.hpp"
 #include "sim/record/hdf5/whole_file.hpp"
+#include "sim/record/schema/columns.hpp"
 #include "sim/record/schema/particles.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace sandglass {
 namespace {
 
 std::vector<Frame> frames_in_space(const Record& record) {
-  std::vector<Frame> frames = record.trajectory;
+  std::vector<Frame> frames = frames_of(record);
   const auto particles = [](const Frame& frame) { return frame.position.size(); };
   const auto other = [&](const Frame& frame) { return particles(frame) != particles(frames.front()); };
   if (std::any_of(frames.begin(), frames.end(), other))
@@ -23,14 +24,33 @@ std::vector<Frame> frames_in_space(const Record& record) {
   for (Frame& frame : frames) {
     frame.position = in_space(frame.position, record.dimension);
     frame.velocity = in_space(frame.velocity, record.dimension);
-    Columns known;  // MDAnalysis has no place for others
-    if (frame.columns.has(column::id)) known.set(column::id, frame.columns.get(column::id));
-    frame.columns = known;
   }
   return frames;
 }
 
-void write_box(const hdf5::Writer& trajectory, const Record& record, const ParticleShape& shape) {
+/// It finds ids beside the positions, and what else a particle has as an observable, by its name.
+bool is_id(const ColumnInfo& info) { return info.name == column::id.name; }
+
+void keep_ids(std::vector<Frame>& frames) {
+  for (Frame& frame : frames) {
+    Columns known;
+    for (const NamedColumn& column : frame.columns.all())
+      if (is_id(column.info)) known.set(column);
+    frame.columns = known;
+  }
+}
+
+void write_observables(const hdf5::Writer& group, const std::vector<Frame>& frames) {
+  for (const ColumnInfo& info : schema::columns_of(frames)) {
+    if (is_id(info)) continue;
+    const hdf5::Writer element = group.group(info.name);
+    schema::write_column(element, info, frames, frames.front().particles(3));
+    schema::write_clock(element, frames);
+  }
+}
+
+void write_box(const hdf5::Writer& trajectory, const Record& record, std::span<const Frame> all,
+               const ParticleShape& shape) {
   std::vector<std::string> boundary = record.boundary;
   boundary.resize(3, "none");
   const hdf5::Writer box = trajectory.group("box");
@@ -38,13 +58,13 @@ void write_box(const hdf5::Writer& trajectory, const Record& record, const Parti
   box.attribute("boundary", boundary);
 
   const std::vector<double> edges = box_in_space(record, shape);
-  const std::size_t frames = record.trajectory.size();
+  const std::size_t frames = all.size();
   std::vector<double> matrices(frames * 9, 0.0);
   for (std::size_t frame = 0; frame < frames; ++frame)
     for (std::size_t axis = 0; axis < 3; ++axis) matrices[9 * frame + 4 * axis] = edges[axis];
   const hdf5::Writer element = box.group("edges");
   element.numbers<double>("value", {frames, 3, 3}, matrices);
-  schema::write_clock(element, record.trajectory);
+  schema::write_clock(element, all);
 }
 
 }  // namespace
@@ -54,11 +74,13 @@ Paths mdanalysis_paths(const Record&, const std::string& path) {
 }
 
 void export_mdanalysis(const Record& record, const Paths& paths, const ParticleShape& shape) {
-  const std::vector<Frame> frames = frames_in_space(record);
+  std::vector<Frame> frames = frames_in_space(record);
   hdf5::write_whole_file(paths.front(), [&](const hdf5::Writer& root) {
     schema::write_convention(root, record.provenance);
     const hdf5::Writer trajectory = root.group("particles").group("trajectory");
-    write_box(trajectory, record, shape);
+    write_box(trajectory, record, frames, shape);
+    write_observables(root.group("observables"), frames);
+    keep_ids(frames);
     schema::write_trajectory(trajectory, frames, 3);
   });
 }

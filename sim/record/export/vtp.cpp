@@ -66,8 +66,9 @@ std::string polydata(const Frame& frame, int dimension, const ParticleShape& sha
       byte_order, count, count);
   text += "<PointData Scalars=\"diameter\" Vectors=\"velocity\">\n";
   text += array("Float64", "velocity", 3, in_space(frame.velocity, dimension));
-  text += array("Float64", "diameter", 1, std::vector<double>(count, shape.diameter));
-  for (const NamedColumn& column : frame.columns.all()) text += column_array(column);
+  text += array("Float64", "diameter", 1, diameters_of(frame, dimension, shape));
+  for (const NamedColumn& column : frame.columns.all())
+    if (column.info.name != column::diameter.name) text += column_array(column);
   text += "</PointData>\n<Points>\n" + array("Float64", "position", 3, points) + "</Points>\n<Verts>\n";
   text += array("Int64", "connectivity", 1, connectivity) + array("Int64", "offsets", 1, offsets);
   text += "</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n";
@@ -85,7 +86,7 @@ void write_whole(const std::string& path, const std::string& text) {
 Paths vtp_paths(const Record& record, const std::string& path) {
   const std::string stem = without_ending(path, ".pvd");
   Paths paths;
-  for (std::size_t frame = 0; frame < record.trajectory.size(); ++frame)
+  for (std::size_t frame = 0; frame < frames_of(record).size(); ++frame)
     paths.push_back(fmt::format("{}-{:06}.vtp", stem, frame));
   paths.push_back(stem + ".pvd");
   return paths;
@@ -93,8 +94,9 @@ Paths vtp_paths(const Record& record, const std::string& path) {
 
 void export_vtp(const Record& record, const Paths& paths, const ParticleShape& shape) {
   std::string list = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
-  for (std::size_t index = 0; index < record.trajectory.size(); ++index) {
-    const Frame& frame = record.trajectory[index];
+  const std::vector<Frame> frames = frames_of(record);
+  for (std::size_t index = 0; index < frames.size(); ++index) {
+    const Frame& frame = frames[index];
     write_whole(paths[index], polydata(frame, record.dimension, shape));
     list += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time,
                         escaped(std::filesystem::path(paths[index]).filename()));

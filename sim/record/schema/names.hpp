@@ -11,7 +11,7 @@ namespace sandglass::schema {
 /// Of the /sandglass group. A greater minor adds names that older readers may ignore; a greater major breaks
 /// them.
 inline constexpr int version_major = 1;
-inline constexpr int version_minor = 3;
+inline constexpr int version_minor = 4;
 /// Of the H5MD convention, https://www.nongnu.org/h5md/h5md.html
 inline constexpr int h5md_major = 1;
 inline constexpr int h5md_minor = 1;
@@ -44,6 +44,9 @@ inline constexpr const char* standard_error = "standard_error";
 inline constexpr const char* effective_samples = "effective_samples";
 inline constexpr const char* start_time = "start_time";
 inline constexpr const char* drifts = "drifts";
+inline constexpr const char* warnings = "warnings";
+inline constexpr const char* changes = "changes";
+inline constexpr const char* broken = "broken";
 
 inline constexpr const char* particles = "particles";
 inline constexpr const char* all = "all";

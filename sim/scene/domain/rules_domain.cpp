@@ -91,7 +91,7 @@ void check_domain(const Scene& scene, Diagnostics& diagnostics) {
   if (diagnostics.clean("domain.size")) {
     check_length(diagnostics, "domain.size", domain.size.size(), domain.dimension);
     for (std::size_t axis = 0; axis < domain.size.size(); ++axis)
-      check_bounds(diagnostics, item_path("domain.size", axis), domain.size[axis], positive());
+      check_bounds(diagnostics, item_path("domain.size", axis), domain.size[axis], moderate());
   }
   if (check_length(diagnostics, "domain.sides", domain.sides.size(), domain.dimension))
     check_sides(domain, diagnostics);

@@ -1,4 +1,5 @@
 #include "sim/scene/method/capabilities.hpp"
+#include "sim/scene/method/guard.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,13 @@ Value choice(const Method& method, Value absent, Get get) {
 Guard guard_of(const Method& method) {
   const auto get = [](const auto& options) -> decltype(Guard(options.guard)) { return options.guard; };
   return choice(method, Guard{}, get);
+}
+
+void set_guard(Method& method, const Guard& guard) {
+  const auto set = [&guard](auto& options) {
+    if constexpr (requires { options.guard; }) options.guard = guard;
+  };
+  std::visit(set, method.options);
 }
 
 bool loses_pairs(const Scene& scene) {

@@ -124,7 +124,7 @@ void check(const Scene& scene, Diagnostics& diagnostics) {
     diagnostics.report("method.random-offset",
                        "'method.random-offset' is used with offset = \"random\" only");
   if (dsmc.offset == Offset::corrected) check_corrected_offset(scene, diagnostics);
-  if (dsmc.cell_size) check_bounds(diagnostics, "method.cell-size", *dsmc.cell_size, positive());
+  if (dsmc.cell_size) check_bounds(diagnostics, "method.cell-size", *dsmc.cell_size, moderate());
   check_excluded_volume(scene, dsmc, diagnostics);
   check_impact(dsmc, diagnostics);
   check_cells(dsmc, scene.domain, diagnostics);

@@ -41,7 +41,7 @@ void check_preset(const Method& method, Diagnostics& diagnostics) {
 void check_method(const Scene& scene, Diagnostics& diagnostics) {
   check_preset(scene.method, diagnostics);
   check_time_step(scene.method.time_step, diagnostics);
-  check_bounds(diagnostics, "method.weight", scene.method.weight, positive());
+  check_bounds(diagnostics, "method.weight", scene.method.weight, moderate());
 }
 
 void check_family(const Scene& scene, Diagnostics& diagnostics) {

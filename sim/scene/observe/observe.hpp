@@ -13,6 +13,7 @@ namespace sandglass {
 struct Observe {
   std::string what;  ///< one of observer_kinds(), which also says what uses the values below
   Cadence cadence;
+  std::optional<Cadence> start = {};           ///< no sample before so much time, steps or collisions
   int axis = 0;                                ///< of the component, or normal of the plane
   double position = 0;                         ///< crossings: where the plane stands on that axis
   std::optional<std::array<double, 2>> range;  ///< first and last bin edge

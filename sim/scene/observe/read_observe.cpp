@@ -32,6 +32,7 @@ void read_observe(Table& table, Observe& observe) {
   table.read_word("what", "observer", observe.what, observer_words());
   if (!table.has("what")) table.report_missing("what", "one of " + list_words(observer_names()));
   read_cadence(table, "every", observe.cadence);
+  read_cadence(table, "start", observe.start);
   read_own_keys(table, observe);
   const std::string reason = "is not used by the observer '" + observe.what + "'; remove it";
   for (const std::string key : {"axis", "position", "range", "bins", "grid"}) {

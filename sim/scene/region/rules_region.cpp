@@ -51,7 +51,7 @@ class RegionRules {
   void check_weight() {
     const double plain = scene_.method.weight;
     if (!diagnostics_.clean(key("weight")) ||
-        !check_bounds(diagnostics_, key("weight"), region_.weight, positive()))
+        !check_bounds(diagnostics_, key("weight"), region_.weight, moderate()))
       return;
     if (region_.weight <= plain * largest_ratio && region_.weight >= plain / largest_ratio) return;
     diagnostics_.report(key("weight"),

@@ -37,6 +37,22 @@ void check_duration(Diagnostics& diagnostics, const Duration& duration) {
   if (duration.collisions)
     check_bounds(diagnostics, path + ".collisions-per-particle", *duration.collisions, positive());
 }
+
+/// Of the duration, in a unit; infinite in another.
+double given(const Duration& duration, Cadence::Unit unit) {
+  if (unit == Cadence::Unit::time) return duration.time.value_or(HUGE_VAL);
+  if (unit == Cadence::Unit::collisions) return duration.collisions.value_or(HUGE_VAL);
+  return duration.steps ? static_cast<double>(*duration.steps) : HUGE_VAL;
+}
+
+/// Where both are given in the same unit.
+void check_start(Diagnostics& diagnostics, const std::string& path, const Cadence& start,
+                 const Duration& duration) {
+  check_cadence(diagnostics, path, start);
+  if (diagnostics.clean(path) && start.every > given(duration, start.unit))
+    diagnostics.report(path, fmt::format("{} is {}, beyond 'run.duration', {}: nothing would be observed",
+                                         shown(path), start.every, given(duration, start.unit)));
+}
 }  // namespace
 
 void check_run(const Scene& scene, Diagnostics& diagnostics) {
@@ -45,8 +61,11 @@ void check_run(const Scene& scene, Diagnostics& diagnostics) {
                        fmt::format("'run.seed' is {}; at most {} is allowed", scene.run.seed, largest_seed));
   check_bounds(diagnostics, "run.replicas", static_cast<double>(scene.run.replicas), between(1, 1e6));
   check_duration(diagnostics, scene.run.duration);
-  for (std::size_t i = 0; i < scene.observe.size(); ++i)
+  for (std::size_t i = 0; i < scene.observe.size(); ++i) {
     check_cadence(diagnostics, item_path("observe", i) + ".every", scene.observe[i].cadence);
+    if (const auto& start = scene.observe[i].start)
+      check_start(diagnostics, item_path("observe", i) + ".start", *start, scene.run.duration);
+  }
   if (scene.output.trajectory) check_cadence(diagnostics, "output.trajectory", *scene.output.trajectory);
   if (scene.output.checkpoint) check_cadence(diagnostics, "output.checkpoint", *scene.output.checkpoint);
 }

@@ -101,8 +101,8 @@ void check_fraction(const Scene& scene, Diagnostics& diagnostics) {
 
 void check_values(const Species& species, const std::string& path, Diagnostics& diagnostics) {
   check_name(diagnostics, path + ".name", species.name);
-  check_bounds(diagnostics, path + ".diameter", species.diameter, positive());
-  check_bounds(diagnostics, path + ".mass", species.mass, positive());
+  check_bounds(diagnostics, path + ".diameter", species.diameter, moderate());
+  check_bounds(diagnostics, path + ".mass", species.mass, moderate());
   check_bounds(diagnostics, path + ".restitution", species.restitution, between(0, 1));
   check_rough(species.tangential_restitution, species.friction, path, diagnostics);
   if (!species.inertia_factor) return;

@@ -96,7 +96,7 @@ void check_obstacle(const Scene& scene, const Obstacle& obstacle, const std::str
                     Diagnostics& diagnostics) {
   check_surface(obstacle.surface, path, diagnostics);
   if (!diagnostics.clean(path + ".centre") || !diagnostics.clean(path + ".radius")) return;
-  bool good = check_bounds(diagnostics, path + ".radius", obstacle.radius, positive());
+  bool good = check_bounds(diagnostics, path + ".radius", obstacle.radius, moderate());
   good &= check_length(diagnostics, path + ".centre", obstacle.centre.size(), scene.domain.dimension);
   for (std::size_t axis = 0; axis < obstacle.centre.size(); ++axis)
     good &= check_bounds(diagnostics, item_path(path + ".centre", axis), obstacle.centre[axis], finite());

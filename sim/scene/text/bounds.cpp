@@ -34,6 +34,12 @@ Bounds between(double low, double high) {
   return bounds;
 }
 
+Bounds moderate() {
+  Bounds bounds = between(1e-100, 1e100);
+  bounds.text = "above 0, " + bounds.text;
+  return bounds;
+}
+
 Bounds speed() {
   constexpr double most = 1e100;
   return between(-most, most);

@@ -23,6 +23,8 @@ Bounds finite();
 Bounds positive();
 Bounds at_least(double low);
 Bounds between(double low, double high);
+/// Of a length, a mass or a weight: products and quotients of several of them are finite and not zero.
+Bounds moderate();
 /// Of a velocity: sums of its squares are finite.
 Bounds speed();
 

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "sim/base/communicator.hpp"
+#include "sim/base/error.hpp"
 
+#include <atomic>
 #include <barrier>
 #include <exception>
 #include <thread>
 #include <utility>
-
-// Ranks as threads of one process, for tests.
 
 namespace sandglass {
 
@@ -16,8 +16,16 @@ struct MessageBoard {
   explicit MessageBoard(std::size_t ranks) : messages(ranks), barrier(static_cast<std::ptrdiff_t>(ranks)) {}
   std::vector<std::vector<Communicator::Bytes>> messages;  ///< [from][to]
   std::barrier<> barrier;
+  std::atomic<bool> left{false};  ///< a rank has ended with an error
 };
 
+/// What the other ranks end with then.
+class RankLeft : public RunError {
+ public:
+  RankLeft() : RunError("another rank has ended") {}
+};
+
+/// A rank that is a thread of this process.
 class ThreadCommunicator : public Communicator {
  public:
   ThreadCommunicator(MessageBoard& board, std::size_t rank) : board_(board), rank_(rank) {}
@@ -26,10 +34,10 @@ class ThreadCommunicator : public Communicator {
   std::size_t rank() const override { return rank_; }
   std::vector<Bytes> exchange(const std::vector<Bytes>& messages) override {
     board_.messages[rank_] = messages;
-    board_.barrier.arrive_and_wait();
+    meet();
     std::vector<Bytes> received;
     for (const auto& sent : board_.messages) received.push_back(sent[rank_]);
-    board_.barrier.arrive_and_wait();
+    meet();
     return received;
   }
   std::vector<Bytes> collect(const Bytes& message) override {
@@ -37,11 +45,16 @@ class ThreadCommunicator : public Communicator {
   }
 
  private:
+  void meet() {
+    board_.barrier.arrive_and_wait();
+    if (board_.left) throw RankLeft();
+  }
+
   MessageBoard& board_;
   std::size_t rank_;
 };
 
-/// Calls work(communicator) on each rank; throws what the first of them has thrown.
+/// Calls work(communicator) on each rank; throws what the first of them has thrown of its own accord.
 template <class Ranks = ThreadCommunicator, class Work>
 void on_ranks(std::size_t count, Work work) {
   MessageBoard board(count);
@@ -52,8 +65,11 @@ void on_ranks(std::size_t count, Work work) {
       Ranks ranks(board, rank);
       try {
         work(ranks);
+      } catch (const RankLeft&) {
+        board.barrier.arrive_and_drop();
       } catch (...) {
         errors[rank] = std::current_exception();
+        board.left = true;
         board.barrier.arrive_and_drop();
       }
     });
