@@ -135,11 +135,11 @@ class Builder final : public MethodBuilder<D> {
     const auto species = static_cast<double>(std::max<std::size_t>(parameters_.kinds.species.size(), 1));
     return parameters_.kinds.mixed() ? 12 * species + 8 + 8 * species * species : 3 * 4 + 8;
   }
-  /// Per cell: windows of particles and of pairs, and the product of factors.
+  /// Per cell: windows of particles and of pairs, and of one species the product of factors.
   double bytes_of_expected_pairs() const {
     if (parameters_.pair_count != PairCount::expected) return 0;
     const auto species = static_cast<double>(std::max<std::size_t>(parameters_.kinds.species.size(), 1));
-    return 12 * species + 12 * species * (species + 1) + 8;
+    return 12 * species + 12 * species * (species + 1) + (parameters_.kinds.mixed() ? 0 : 8);
   }
   double bytes_of_partners() const {
     if (parameters_.partners != Partners::contact) return 0;
