@@ -69,7 +69,8 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   void scale_stall();
   /// Of a particle, since the step began.
   double collisions_of_step() const {
-    return 2 * static_cast<double>(tally_.collisions - before_step_) / static_cast<double>(size());
+    return 2 * static_cast<double>(tally_.collisions - before_step_) /
+           static_cast<double>(std::max({size(), size_before_step_, std::uint64_t{1}}));
   }
   void note_quiet_step();
   void refuse_jam() const;
@@ -97,9 +98,10 @@ class Engine final : public Simulator<C::D>, private ParticleAccess<C::D> {
   std::vector<Agent<D>*> timers_;  ///< agents with events of their own
   bool fills_ = false;             ///< somebody has come in, and no weight presses those who rest
   std::uint64_t before_step_ = 0;  ///< collisions
-  double quietest_ = HUGE_VAL;     ///< fewest collisions of a particle in a step, with about as many of them
-  std::uint64_t quiet_size_ = 0;   ///< how many there were then
-  bool draws_;                     ///< an agent draws random numbers
+  std::uint64_t size_before_step_ = 0;
+  double quietest_ = HUGE_VAL;    ///< fewest collisions of a particle in a step, with about as many of them
+  std::uint64_t quiet_size_ = 0;  ///< how many there were then
+  bool draws_;                    ///< an agent draws random numbers
   Streams streams_;
   EventSink<D>* trace_;
   Entrance<D> entrance_;

@@ -13,6 +13,7 @@ template <class C>
 void Engine<C>::step(double dt, std::uint64_t) {
   seen_ = -1;
   before_step_ = tally_.collisions;
+  size_before_step_ = size();
   double left = dt;
   for (;;) {
     stop_request.heed();
