@@ -80,7 +80,7 @@ TEST(BoundaryFaults, ChangeWhatTheySay) {
 
 TEST(BoundaryFaults, NoneChangesNothing) {
   EXPECT_EQ(with_scene_fault(driven_scene(), ""), driven_scene());
-  EXPECT_EQ(boundary_faults().size() + exchange_faults().size() + step_faults().size(), 19u);
+  EXPECT_EQ(boundary_faults().size() + exchange_faults().size() + step_faults().size(), 20u);
 }
 
 /// Each mirror gets a table, whether the scene has one or not; the open and the thermal side stay as they are.

@@ -397,9 +397,11 @@ TEST(Run, EveryPlantedFaultChangesARunOfItsFamily) {
   dsmc_options(few).cells = {24, 24};
   few.species[0].fraction = 0.3;
   few.run.duration.steps = 300;
+  Scene spread = gas();
+  choose(spread.method, "cuba");
   std::map<std::string, std::vector<Scene>> scenes;
   for (const Scene& scene :
-       {gas(), few, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam("dsmc"),
+       {gas(), few, spread, stream(), hard_disks(), surfaces("dsmc"), surfaces("event-driven"), beam("dsmc"),
         beam("event-driven"), crowd(), falling_entry(), at_contact(), rough_mixture(), dense_mixture(),
         passing_stream("dsmc"), passing_stream("event-driven"), dispensed_stream()})
     scenes[method_family(scene)].push_back(scene);
