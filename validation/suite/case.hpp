@@ -108,6 +108,8 @@ struct Mutant {
   std::string fault, check, variant, point;
   law::Arguments numbers;  ///< in place of those of the check: where the source's own number is a known limit
   Override set;
+  /// From the run that the matrix has there.
+  bool differs() const { return !numbers.empty() || !set.values.items.empty(); }
 };
 
 struct Case {

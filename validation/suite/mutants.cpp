@@ -15,6 +15,19 @@ std::string summary_of(const std::string& fault) {
     if (info.name == fault) return info.summary;
   return "";
 }
+
+/// The same run without the fault, where it is not one of the matrix: what the fault's run changes beside the fault must not
+/// be what the check sees.
+void judge_twin(const Task& twin, const Confidence& confidence, MutantResult& result) {
+  const Record record = run_scene_apart(twin.scene, {});
+  result.cpu_seconds += record.timings.at("cpu-seconds");
+  const auto lock = hold_off_new_processes();
+  CheckOutcome honest = judge_record(twin, record, confidence).front();
+  if (honest.judgement.verdict == Verdict::pass) return;
+  honest.judgement.reason = "the same run without the fault does not pass: " + honest.judgement.reason;
+  result.check = std::move(honest);
+  result.caught = false;
+}
 }  // namespace
 
 Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mutant) {
@@ -33,17 +46,22 @@ MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confiden
   CheckUse use = *task.checks.front();
   use.limits.clear();
   for (const auto& [name, value] : mutant.numbers) use.settings.numbers[name] = value;
-  Task honest = task;
-  honest.checks = {&use};
+  Task twin = task;
+  twin.checks = {&use};
   try {
     const Record record = run_scene_apart(task.scene, options);
-    const auto lock = hold_off_new_processes();
-    result.check = judge_record(honest, record, confidence).front();
+    result.cpu_seconds = record.timings.at("cpu-seconds");
+    {
+      const auto lock = hold_off_new_processes();
+      result.check = judge_record(twin, record, confidence).front();
+    }
+    result.caught = result.check.judgement.verdict == Verdict::fail;
+    if (result.caught && mutant.differs()) judge_twin(twin, confidence, result);
   } catch (const RunError& error) {
     const auto lock = hold_off_new_processes();
-    result.check = judge_broken(honest, error.what(), confidence).front();
+    result.check = judge_broken(twin, error.what(), confidence).front();
+    result.caught = false;
   }
-  result.caught = result.check.judgement.verdict == Verdict::fail;
   return result;
 }
 

@@ -12,12 +12,14 @@ struct MutantResult {
   std::string variant, point;
   CheckOutcome check;
   bool caught = false;
+  double cpu_seconds = 0;  ///< of all its runs
 };
 
 /// The run of a mutant and its one check. The known limits of the case do not count: a mutant must fail.
 Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mutant);
 
-/// Runs the scene with the fault planted; caught when the check fails. A run that breaks catches nothing and says why.
+/// Runs the scene with the fault planted; caught when the check fails, and passes without the fault. A run that breaks
+/// catches nothing and says why.
 MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confidence& confidence);
 
 /// A check that a case makes of a method family without planting any fault that it must see there.

@@ -128,7 +128,7 @@ void run_mutants(const std::vector<Case>& cases, const SuiteOptions& options, Su
   result.mutants.resize(tasks.size());
   run_all(tasks, options, [&](std::size_t i) {
     result.mutants[i] = judge_mutant(tasks[i], *mutants[i], options.confidence);
-    return 0.0;
+    return result.mutants[i].cpu_seconds;
   });
   write_mutants(options.output, result.mutants);
 }

@@ -134,6 +134,25 @@ observe = [{ what = "energy" }]
   EXPECT_THAT(result.check.judgement.reason, testing::HasSubstr("the run broke: inelastic collapse"));
 }
 
+/// A run that fails by itself catches nothing: here nobody conserves the energy.
+TEST(Mutants, TheSameRunWithoutTheFaultMustPass) {
+  const Scene scene = read_scene_text(
+      "run = { duration = { collisions-per-particle = 2.0 } }\n"
+      "species = [{ count = 100, area-fraction = 0.1, restitution = 0.5 }]\ndomain = { dimension = 2 }\n"
+      "method = { preset = \"dsmc\", time-step = { collisions-per-particle = 0.1 } }\n"
+      "observe = [{ what = \"energy\" }, { what = \"collisions\" }]\n",
+      "cooling.toml");
+  const Case subject;
+  const CheckUse use{"energy-conservation", "", {}, {}, {}};
+  const Task task{&subject, "dsmc", "cooling", scene, {&use}};
+  Mutant planted{"restitution-minus-2-percent", use.check, task.variant, task.point, {}, {}};
+  EXPECT_TRUE(judge_mutant(task, planted, {}).caught);  // as in the matrix, which judges that run
+  planted.set.values.items.emplace_back();
+  const MutantResult result = judge_mutant(task, planted, {});
+  EXPECT_FALSE(result.caught);
+  EXPECT_THAT(result.check.judgement.reason, testing::HasSubstr("without the fault does not pass"));
+}
+
 /// What a limit does to the verdict on a gas without collisional pressure, when its source has it carry that part of it.
 Verdict limit_of(double carried) {
   const Scene scene = read_scene_text(
