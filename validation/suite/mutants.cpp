@@ -17,14 +17,14 @@ std::string summary_of(const std::string& fault) {
 }
 
 /// The same run without the fault, where it is not one of the matrix: what the fault's run changes beside the fault must not
-/// be what the check sees.
+/// be what the check sees. It may be too short to be conclusive.
 void judge_twin(const Task& twin, const Confidence& confidence, MutantResult& result) {
   const Record record = run_scene_apart(twin.scene, {});
   result.cpu_seconds += record.timings.at("cpu-seconds");
   const auto lock = hold_off_new_processes();
   CheckOutcome honest = judge_record(twin, record, confidence).front();
-  if (honest.judgement.verdict == Verdict::pass) return;
-  honest.judgement.reason = "the same run without the fault does not pass: " + honest.judgement.reason;
+  if (honest.judgement.verdict != Verdict::fail) return;
+  honest.judgement.reason = "the same run without the fault fails too: " + honest.judgement.reason;
   result.check = std::move(honest);
   result.caught = false;
 }

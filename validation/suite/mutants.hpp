@@ -18,7 +18,7 @@ struct MutantResult {
 /// The run of a mutant and its one check. The known limits of the case do not count: a mutant must fail.
 Task mutant_task(const Case& subject, const std::string& tier, const Mutant& mutant);
 
-/// Runs the scene with the fault planted; caught when the check fails, and passes without the fault. A run that breaks
+/// Runs the scene with the fault planted; caught when the check fails, and does not without the fault. A run that breaks
 /// catches nothing and says why.
 MutantResult judge_mutant(const Task& task, const Mutant& mutant, const Confidence& confidence);
 
