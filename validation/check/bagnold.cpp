@@ -50,7 +50,7 @@ double slope_ratio(const ShearCell& cell, Some replicas) {
 /// Rate of dissipation per volume of a Maxwellian gas with this density and temperature; without a contact value where
 /// the method has none.
 double dissipation(const Subject& subject, const law::Gas& gas) {
-  const bool dense = capabilities(subject.scene()).contacts || has_contact_factor(subject.scene());
+  const bool dense = has_contact_value(subject.scene());
   const double factor = dense ? 1 : law::contact_value(gas.dimension, gas.fraction);
   return gas.dimension / 2.0 * law::number_density(gas) * gas.temperature * law::cooling_rate(gas) / factor;
 }

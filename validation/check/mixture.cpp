@@ -22,12 +22,9 @@ std::vector<law::Component> components(const Scene& scene) {
   return all;
 }
 
-/// Whether the method knows that particles have a size.
-bool is_dense(const Scene& scene) { return capabilities(scene).contacts || has_contact_factor(scene); }
-
 /// 1 where particles are points.
 double contact_value(const Subject& subject, std::size_t i, std::size_t j) {
-  if (!is_dense(subject.scene())) return 1;
+  if (!has_contact_value(subject.scene())) return 1;
   return law::mixture_contact_value(subject.dimension(), components(subject.scene()), i, j);
 }
 
@@ -129,7 +126,7 @@ Evidence compressibility(const Subject& subject, const law::Arguments&) {
     for (std::size_t i = 1; i < kinetic.size(); ++i)
       samples.back().push_back(1 + collisional[i] / kinetic[i]);
   }
-  const double expected = is_dense(subject.scene())
+  const double expected = has_contact_value(subject.scene())
                               ? law::mixture_compressibility(subject.dimension(), components(subject.scene()))
                               : 1;
   Evidence evidence = from_mean(pooled(samples), expected);

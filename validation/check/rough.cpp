@@ -110,8 +110,8 @@ Evidence rotation_after(const Subject& subject, const law::Arguments& numbers) {
 double rate_at(const Subject& subject, double temperature) {
   law::Gas gas = subject.gas(temperature);
   const double enskog = law::collision_rate(gas) * subject.pair_factor();
-  const bool raised = capabilities(subject.scene()).contacts || has_contact_factor(subject.scene());
-  return raised ? enskog : enskog / law::contact_value(gas.dimension, gas.fraction);
+  return has_contact_value(subject.scene()) ? enskog
+                                            : enskog / law::contact_value(gas.dimension, gas.fraction);
 }
 
 double mean_free_time(const Subject& subject) {

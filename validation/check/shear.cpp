@@ -97,8 +97,7 @@ double heating(const Subject& subject, const Wave& wave, double expected_rate) {
 /// Collision rate over that of the dilute gas.
 double contact_factor(const Subject& subject) {
   const law::Gas gas = subject.gas(subject.scene().initial.temperature);
-  const bool raised = capabilities(subject.scene()).contacts || has_contact_factor(subject.scene());
-  return raised ? law::contact_value(gas.dimension, gas.fraction) : 1;
+  return has_contact_value(subject.scene()) ? law::contact_value(gas.dimension, gas.fraction) : 1;
 }
 
 /// Relative departure from the Navier-Stokes decay. To second order a stress that relaxes in the time eta0/(g n T) gives

@@ -121,6 +121,10 @@ double Subject::mean_temperature() const {
   return sum / static_cast<double>(replicas());
 }
 
+bool has_contact_value(const Scene& scene) {
+  return capabilities(scene).contacts || has_contact_factor(scene);
+}
+
 Mean pooled(const std::vector<std::vector<double>>& samples_of_replicas) {
   std::vector<double> values;
   std::vector<Mean> means;

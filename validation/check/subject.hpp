@@ -59,6 +59,9 @@ class Subject {
   double particles_;
 };
 
+/// The collision rate has the contact value in it: of particles with a surface, or as a factor.
+bool has_contact_value(const Scene& scene);
+
 /// Mean over replicas of a stationary quantity. Eight or more replicas are taken as independent samples;
 /// fewer are each given the error of a correlated series.
 Mean pooled(const std::vector<std::vector<double>>& samples_of_replicas);
